@@ -1,0 +1,149 @@
+#include "core/boolean_text.hpp"
+
+#include "core/error.hpp"
+#include "core/expression_tokens.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr int deepest_nesting = 250;
+
+}  // namespace
+
+/// One function per level of the grammar, loosest first.
+class BooleanTextParser {
+ public:
+  using Node = BooleanText::Node;
+
+  explicit BooleanTextParser(std::string_view text) : tokens_(text) {}
+
+  std::vector<Node> parse() {
+    if (tokens_.peek().kind == Token::Kind::end)
+      throw InputError("expected an expression of shapes but the text is empty", 0);
+    join();
+    if (tokens_.peek().kind != Token::Kind::end) refuse_rest();
+    return std::move(nodes_);
+  }
+
+ private:
+  void join() {
+    exclusive();
+    while (tokens_.peek().is("|")) {
+      const Token token = tokens_.take();
+      exclusive();
+      append(Node::Kind::join, token);
+    }
+  }
+
+  void exclusive() {
+    intersection();
+    while (tokens_.peek().is("^")) {
+      const Token token = tokens_.take();
+      intersection();
+      append(Node::Kind::exclusive, token);
+    }
+  }
+
+  void intersection() {
+    complement();
+    while (tokens_.peek().is("&") || tokens_.peek().is("-")) {
+      const Token token = tokens_.take();
+      complement();
+      append(token.is("&") ? Node::Kind::intersection : Node::Kind::difference, token);
+    }
+  }
+
+  void complement() {
+    if (++depth_ > deepest_nesting)
+      throw InputError(
+          "the expression is nested more than " + std::to_string(deepest_nesting) + " levels deep",
+          tokens_.peek().offset);
+    if (tokens_.peek().is("!")) {
+      const Token token = tokens_.take();
+      complement();
+      append(Node::Kind::complement, token);
+    } else {
+      primary();
+    }
+    --depth_;
+  }
+
+  void primary() {
+    if (tokens_.peek().kind == Token::Kind::name) return append(Node::Kind::name, tokens_.take());
+    const Token found = tokens_.peek();
+    if (!found.is("("))
+      throw InputError("expected a shape, '!' or '(' but found " + found.quoted(), found.offset,
+                       found.length);
+    tokens_.take();
+    join();
+    if (!tokens_.take_if(")")) {
+      const Token& other = tokens_.peek();
+      throw InputError("expected ')' but found " + other.quoted(), other.offset, other.length);
+    }
+  }
+
+  [[noreturn]] void refuse_rest() const {
+    const Token& found = tokens_.peek();
+    std::string advice;
+    if (found.is("&&")) advice = " (intersections are written with '&')";
+    if (found.is("||")) advice = " (unions are written with '|')";
+    if (found.is("+")) advice = " (unions are written with '|')";
+    if (found.is("*")) advice = " (intersections are written with '&')";
+    throw InputError("expected '&', '|', '-', '^' or the end but found " + found.quoted() + advice,
+                     found.offset, found.length);
+  }
+
+  void append(Node::Kind kind, const Token& token) {
+    nodes_.push_back({kind, token.offset, token.length});
+  }
+
+  Tokenizer tokens_;
+  std::vector<Node> nodes_;
+  int depth_ = 0;
+};
+
+BooleanText::BooleanText(std::string text)
+    : text_(std::move(text)), nodes_(BooleanTextParser(text_).parse()) {}
+
+std::vector<BooleanText::Name> BooleanText::names() const {
+  std::vector<Name> names;
+  for (const Node& node : nodes_)
+    if (node.kind == Node::Kind::name)
+      names.push_back({text_.substr(node.offset, node.length), node.offset});
+  return names;
+}
+
+Region BooleanText::region(const std::function<Region(const Name&)>& shape) const {
+  std::vector<Region> stack;
+  const auto take = [&stack] {
+    Region region = std::move(stack.back());
+    stack.pop_back();
+    return region;
+  };
+  for (const Node& node : nodes_) {
+    if (node.kind == Node::Kind::name) {
+      stack.push_back(shape({text_.substr(node.offset, node.length), node.offset}));
+      continue;
+    }
+    const Region last = take();
+    switch (node.kind) {
+      case Node::Kind::complement:
+        stack.push_back(!last);
+        break;
+      case Node::Kind::intersection:
+        stack.push_back(take() & last);
+        break;
+      case Node::Kind::difference:
+        stack.push_back(take() - last);
+        break;
+      case Node::Kind::exclusive:
+        stack.push_back(take() ^ last);
+        break;
+      default:
+        stack.push_back(take() | last);
+    }
+  }
+  return take();
+}
+
+}  // namespace rfm

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/region.hpp"
+
+namespace rfm {
+
+/// A Boolean expression of shapes as text, parsed but not yet given a meaning:
+///
+///     BooleanText("(plate & roof) - hole").region(shape_of_name)
+///
+/// Operators, tightest first: `!` (complement); `&` (intersection) and `-` (difference), left to
+/// right; `^` (exclusive or); `|` (union). Nesting is limited to 250 levels.
+class BooleanText {
+ public:
+  /// Throws `InputError`, with the place in `text`.
+  explicit BooleanText(std::string text);
+
+  const std::string& text() const { return text_; }
+  struct Name {
+    std::string name;
+    std::size_t offset;
+  };
+  /// The shapes that the text names, in its order, repeated where it repeats them.
+  std::vector<Name> names() const;
+  /// The region, given the meaning of names. What `shape` throws passes through.
+  Region region(const std::function<Region(const Name&)>& shape) const;
+
+ private:
+  friend class BooleanTextParser;
+  struct Node {
+    enum class Kind : std::uint8_t { name, complement, intersection, difference, exclusive, join };
+    Kind kind;
+    std::size_t offset;
+    std::size_t length;
+  };
+  std::string text_;
+  /// In the order of evaluation: arguments before their users.
+  std::vector<Node> nodes_;
+};
+
+}  // namespace rfm

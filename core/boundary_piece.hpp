@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/region.hpp"
+
+namespace rfm {
+
+/// What primitive k contributes to the boundary of a region: {γ_k = 0} ∩ Λ_k, where
+/// Λ_k = Φ[k := true] xor Φ[k := false] is the Boolean derivative of the region's expression Φ (the
+/// places where the primitive's sign decides membership).
+struct BoundaryPiece {
+  int primitive = 0;
+  std::string name;
+  /// Zero exactly on the piece and positive elsewhere in the region: ±γ_k where its whole zero set
+  /// in the closed region belongs to the piece, otherwise the trim (see `trim`). Normalised.
+  Field function;
+  /// Whether `function` is ±γ_k itself.
+  bool whole = true;
+};
+
+/// The piece of primitive `primitive`. Whether the piece is empty is not decided here (its measure
+/// tells).
+BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const Box& bounds);
+
+/// √(γ² + (√(λ² + γ⁴) − λ)² / 4): zero where γ = 0 and λ ≥ 0, positive elsewhere, and normalised
+/// where γ is; eq. (5.1) of Shapiro (2007). For λ > 0 it is taken as
+/// |γ| √(1 + γ⁶ / (4 (√(λ² + γ⁴) + λ)²)), which does not cancel near γ = 0.
+Field trim(const Field& gamma, const Field& lambda);
+
+}  // namespace rfm

@@ -1,0 +1,179 @@
+#include "core/bounding_box.hpp"
+
+#include <cmath>
+#include <queue>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/intersection.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr double horizon = 1e8;
+
+struct Candidate {
+  Box box;
+  double reach;  // how far the box extends in the direction of the search
+  int depth;
+  // The farthest first; of several as far the smallest, so that a flat face is not searched all
+  // along its length.
+  bool operator<(const Candidate& other) const {
+    return reach != other.reach ? reach < other.reach : depth < other.depth;
+  }
+};
+
+// One side of the bounding box: the largest value of ±x_axis over the region.
+class SideSearch {
+ public:
+  SideSearch(const RegionEvaluator& region, int axis, bool upper)
+      : region_(region), axis_(axis), upper_(upper) {}
+
+  // The side within `tolerance` times the length of `start`; `extreme` receives the small box that
+  // attains it. False if `start` does not meet the region.
+  bool run(const Box& start, double tolerance, double& side, Box& extreme) const {
+    constexpr int most_boxes = 20000;  // then the bound at hand, still from outside, is taken
+    const double thinnest = tolerance * start.length(axis_);
+    std::priority_queue<Candidate> queue;
+    const auto push = [&](const Box& box, int depth) {
+      const Box shaved = shave(box, thinnest);
+      if (shaved.length(axis_) > 0) queue.push({shaved, reach(shaved), depth});
+    };
+    push(start, 0);
+    for (int visited = 0; !queue.empty(); ++visited) {
+      const auto [box, ignored, depth] = queue.top();
+      queue.pop();
+      const int widest = widest_axis(box, start, std::sqrt(tolerance));
+      if (widest < 0 || visited > most_boxes) {
+        side = upper_ ? box.high[axis_] : box.low[axis_];
+        extreme = box;
+        (upper_ ? extreme.low : extreme.high)[axis_] = side;
+        return true;
+      }
+      for (const Box& half : bisect(box, widest)) push(half, depth + 1);
+    }
+    return false;
+  }
+
+ private:
+  double reach(const Box& box) const { return upper_ ? box.high[axis_] : -box.low[axis_]; }
+
+  // Takes slabs off the far side as long as they are proved to lie outside the region, thinner and
+  // thinner ones; leaves nothing where all of the box is outside.
+  Box shave(Box box, double thinnest) const {
+    if (region_.contains(box) == Truth::no) {
+      box.high[axis_] = box.low[axis_];
+      return box;
+    }
+    double& far = upper_ ? box.high[axis_] : box.low[axis_];
+    const double rounding =
+        0x1p-50 * std::max(std::fabs(box.high[axis_]), std::fabs(box.low[axis_]));
+    for (double slab = 0.5 * box.length(axis_); slab > std::max(thinnest, rounding);) {
+      Box part = box;
+      (upper_ ? part.low : part.high)[axis_] = upper_ ? far - slab : far + slab;
+      if (slab < box.length(axis_) && region_.contains(part) == Truth::no)
+        far = upper_ ? far - slab : far + slab;
+      else
+        slab *= 0.5;
+    }
+    return box;
+  }
+
+  // The widest of the other axes, or −1 when all are narrow. Bounds are of second order, so that a
+  // box of width √δ has its far side right to δ.
+  int widest_axis(const Box& box, const Box& start, double narrow) const {
+    int widest = -1;
+    double width = narrow;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+      const double relative = box.length(axis) / start.length(axis);
+      if (axis != axis_ && relative > width) width = relative, widest = axis;
+    }
+    return widest;
+  }
+
+  const RegionEvaluator& region_;
+  int axis_;
+  bool upper_;
+};
+
+// The exact coordinate of a flat face or a corner near the extreme box, or `side` unchanged.
+double polished(const RegionEvaluator& region, const Box& extreme, int axis, double side,
+                double reach) {
+  const Point start = extreme.center();
+  Box around = extreme;
+  around.low[axis] -= reach;
+  around.high[axis] += reach;
+  std::vector<int> near;
+  for (int k = 0; k < region.primitive_count(); ++k)
+    if (!region.level(k).value_bounds(around).excludes_zero()) near.push_back(k);
+  double best = side, distance = reach;
+  const auto offer = [&](const Point& point) {
+    if (std::fabs(point[axis] - side) <= distance && region.contains(point, 1e-3 * reach)) {
+      distance = std::fabs(point[axis] - side);
+      best = point[axis];
+    }
+  };
+  for (int k : near) {
+    Point gradient;
+    const double value = region.level(k).value_and_gradient(start, gradient);
+    double across = 0;
+    for (int other = 0; other < extreme.dimension; ++other)
+      if (other != axis) across = std::max(across, std::fabs(gradient[other]));
+    Point foot = start;
+    foot[axis] -= value / gradient[axis];
+    if (across <= 1e-14 * std::fabs(gradient[axis])) offer(foot);
+  }
+  for (std::size_t i = 0; i < near.size(); ++i)
+    for (std::size_t j = i + 1; j < near.size(); ++j)
+      if (const auto corner = common_zero(region.level(near[i]), region.level(near[j]), start))
+        offer(*corner);
+  return best;
+}
+
+std::string direction_name(int axis, bool upper) {
+  return std::string(upper ? "+" : "-") + "xyz"[axis];
+}
+
+}  // namespace
+
+Box bounding_box(const RegionEvaluator& region) {
+  const int dimension = region.dimension();
+  Box box;
+  box.dimension = dimension;
+  for (int axis = 0; axis < dimension; ++axis) {
+    box.low[axis] = -horizon;
+    box.high[axis] = horizon;
+  }
+  const auto contract = [&](double tolerance, bool polish) {
+    Box next = box;
+    for (int axis = 0; axis < dimension; ++axis) {
+      for (const bool upper : {false, true}) {
+        Box extreme;
+        double side = 0;
+        if (!SideSearch(region, axis, upper).run(box, tolerance, side, extreme))
+          throw InvalidArgument("the region is empty");
+        if (polish)
+          side = polished(region, extreme, axis, side, std::sqrt(tolerance) * box.longest_side());
+        (upper ? next.high : next.low)[axis] = side;
+      }
+    }
+    return next;
+  };
+  // From the horizon inwards, a factor of about 20 at a time, until the box no longer shrinks.
+  for (bool shrinking = true; shrinking;) {
+    const Box next = contract(0.05, false);
+    shrinking = false;
+    for (int axis = 0; axis < dimension; ++axis)
+      shrinking = shrinking || next.length(axis) < 0.7 * box.length(axis);
+    box = next;
+  }
+  for (int axis = 0; axis < dimension; ++axis)
+    for (const bool upper : {false, true})
+      if (std::fabs((upper ? box.high : box.low)[axis]) >= 0.9 * horizon)
+        throw InvalidArgument("the region is not bounded in the direction " +
+                              direction_name(axis, upper));
+  return contract(1e-13, true);
+}
+
+}  // namespace rfm

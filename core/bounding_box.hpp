@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/box.hpp"
+#include "core/region.hpp"
+
+namespace rfm {
+
+/// The smallest box that holds the region, found by branch and bound on the bounds of its
+/// primitives: rigorous from outside, and within 10⁻¹² of its size from inside where the extreme is
+/// smooth. Where a flat face or a corner of two primitives is extreme, its coordinate is exact to
+/// rounding, so that grid lines fall on such faces exactly; at other corners (of one primitive that
+/// is not smooth) it is within 10⁻⁶.
+///
+/// Throws `InvalidArgument` if the region is empty, or not bounded within ±10⁸ (the message names
+/// the direction).
+Box bounding_box(const RegionEvaluator& region);
+
+}  // namespace rfm

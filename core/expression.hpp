@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/field.hpp"
+
+namespace rfm {
+
+/// A formula as text, parsed but not yet given a meaning: which names it uses is known, what they
+/// stand for is not. Stages are types: text → Expression → Field (or number).
+///
+///     const Expression source("100 * exp(-hypot(x - a, y)^2)");
+///     ExpressionScope scope = coordinate_scope(2);
+///     scope.define("a", 0.5);
+///     const Field f = to_field(source, scope);
+///
+/// Grammar, loosest first: comparisons `< <= > >= == !=` (1 or 0, not chained); `+ -`; `* /`; unary
+/// `-`; `^` (right associative, so −x^2 is −(x^2); its exponent may have a sign: 2^-1); an index
+/// `v[0]` of a vector; numbers, names, calls and parentheses. Nesting is limited to 250 levels.
+class Expression {
+ public:
+  /// Throws `InputError`, with the place in `text`.
+  explicit Expression(std::string text);
+
+  const std::string& text() const { return text_; }
+  /// A name or call in the text. Arguments of a call are uses too.
+  struct Use {
+    std::string name;
+    std::size_t offset;
+    bool is_call;
+    /// Arguments as text, of a call.
+    std::vector<std::string> arguments;
+  };
+  std::vector<Use> uses() const;
+  bool uses(std::string_view name) const;
+
+  /// A node of the parsed formula. Its subtree is the nodes from `first` up to itself.
+  struct Node {
+    enum class Kind : std::uint8_t { number, name, text, operation, not_equal, call, index };
+    Kind kind;
+    Operation operation = Operation::constant;
+    std::uint32_t first = 0;
+    std::uint32_t argument_count = 0;
+    double number = 0;
+    /// The name, number or operator in the text.
+    std::size_t offset = 0;
+    std::size_t length = 0;
+    /// Where the subtree begins and ends in the text.
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  /// Nodes in the order of evaluation: arguments before their users, the root last.
+  std::span<const Node> nodes() const { return nodes_; }
+  std::string_view text_of(const Node& node) const {
+    return std::string_view(text_).substr(node.offset, node.length);
+  }
+
+ private:
+  std::string text_;
+  std::vector<Node> nodes_;
+};
+
+/// What a formula stands for: a number or function, or a vector of them (a gradient, a normal).
+struct ExpressionValue {
+  std::vector<Field> components;
+  bool is_vector = false;
+
+  ExpressionValue(Field scalar) : components{std::move(scalar)} {}    // NOLINT: fields are values
+  ExpressionValue(double number) : ExpressionValue(Field(number)) {}  // NOLINT: numbers too
+  explicit ExpressionValue(std::vector<Field> vector)
+      : components(std::move(vector)), is_vector(true) {}
+};
+
+/// An argument of a call: its value, and the text it was written as.
+struct ExpressionArgument {
+  std::string text;
+  std::size_t offset = 0;
+  std::size_t length = 0;
+  ExpressionValue value = 0.0;
+};
+
+/// A function that formulas may call. To refuse an argument, throw `InputError` with its offset.
+struct ExpressionFunction {
+  std::size_t least_arguments = 1;
+  std::size_t most_arguments = 1;
+  std::function<ExpressionValue(std::span<const ExpressionArgument>)> call;
+  /// The arguments are not formulas but names of something else, as in `omega(hole)`: they have a
+  /// text but no value.
+  bool takes_names = false;
+};
+
+/// What names mean. A value: copy it and define more. `pi` and the functions of the operation table
+/// (operations.hpp) always have a meaning, and `min`, `max` take two or more arguments.
+class ExpressionScope {
+ public:
+  void define(const std::string& name, ExpressionValue value);
+  /// A name that stands for a formula, with whatever its own names mean where it is used: so it may
+  /// contain names that are defined later. It must not use itself, however indirectly.
+  void define(const std::string& name, Expression formula);
+  void define_function(const std::string& name, ExpressionFunction function);
+  /// f(a, b) := formula; `parameters` hide other names inside it.
+  void define_function(const std::string& name, std::vector<std::string> parameters,
+                       Expression formula);
+  /// A name that is known but cannot be used here, and why: "is known on boundaries only".
+  void refuse(const std::string& name, std::string reason);
+
+  bool has_name(const std::string& name) const { return names_.contains(name); }
+  bool has_function(const std::string& name) const;
+  /// All names, or all functions, that formulas may use; for suggestions.
+  std::vector<std::string> names() const;
+  std::vector<std::string> functions() const;
+
+ private:
+  friend class ExpressionEvaluator;
+  struct Meaning {
+    ExpressionValue value = 0.0;
+    std::shared_ptr<const Expression> formula;
+  };
+  struct UserFunction {
+    std::vector<std::string> parameters;
+    std::shared_ptr<const Expression> formula;
+  };
+  std::map<std::string, Meaning> names_;
+  std::map<std::string, std::string> refused_;
+  std::map<std::string, ExpressionFunction> functions_;
+  std::map<std::string, UserFunction> user_functions_;
+};
+
+/// `x`, `y`, `z` as far as `dimension` goes, and `t`.
+ExpressionScope coordinate_scope(int dimension);
+/// Adds `grad(f)`, `laplacian(f)` and `dx(f)`, `dxy(f)`, … up to fourth order.
+void define_derivatives(ExpressionScope& scope, int dimension);
+
+/// The value of a formula. Throws `InputError` with a place in its text: a name without a meaning
+/// (with a suggestion), a wrong number of arguments, a vector where a number is needed, more than a
+/// million operations after definitions are inserted.
+ExpressionValue evaluate(const Expression& expression, const ExpressionScope& scope);
+/// The value of a formula that must not be a vector.
+Field to_field(const Expression& expression, const ExpressionScope& scope);
+/// The value of a formula that must be a finite number.
+double to_number(const Expression& expression, const ExpressionScope& scope);
+
+/// Whether `name` has a meaning of its own in every formula: `pi` or a function of the operation
+/// table, `if` or an operator such as `dx`.
+bool is_reserved_in_expressions(std::string_view name);
+
+}  // namespace rfm

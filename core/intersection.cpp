@@ -1,0 +1,68 @@
+#include "core/intersection.hpp"
+
+#include <cmath>
+
+namespace rfm {
+namespace {
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+constexpr int most_steps = 50;
+
+// The last step of a quadratically convergent iteration is rounding.
+bool negligible(const Point& step, const Point& at) {
+  return dot(step, step) <= 1e-30 * (1e-30 + dot(at, at));
+}
+
+}  // namespace
+
+std::optional<Point> common_zero(const LevelFunction& f, const LevelFunction& g,
+                                 const Point& start) {
+  Point point = start;
+  double previous = INFINITY;
+  for (int i = 0; i < most_steps; ++i) {
+    Point a, b;
+    const double u = f.value_and_gradient(point, a), v = g.value_and_gradient(point, b);
+    // The shortest step s with a·s = −u, b·s = −v is a combination of a and b.
+    const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+    const double determinant = aa * bb - ab * ab;
+    if (!(determinant > 1e-16 * aa * bb)) return {};
+    const double p = (-u * bb + v * ab) / determinant, q = (-v * aa + u * ab) / determinant;
+    Point step;
+    for (int axis = 0; axis < 3; ++axis) {
+      step[axis] = p * a[axis] + q * b[axis];
+      point[axis] += step[axis];
+    }
+    const double length = std::sqrt(dot(step, step));
+    if (!std::isfinite(length)) return {};
+    if (negligible(step, point)) return point;
+    // Rounding keeps steps from vanishing next to a zero; they stop shrinking there.
+    if (length >= 0.5 * previous && length * length <= 1e-26 * dot(point, point)) return point;
+    previous = length;
+  }
+  return {};
+}
+
+std::optional<Point> nearest_zero(const LevelFunction& f, const Point& start) {
+  Point point = start;
+  double previous = INFINITY;
+  for (int i = 0; i < most_steps; ++i) {
+    Point gradient;
+    const double value = f.value_and_gradient(point, gradient);
+    const double square = dot(gradient, gradient);
+    if (!(square > 0)) return {};
+    Point step;
+    for (int axis = 0; axis < 3; ++axis) {
+      step[axis] = -value / square * gradient[axis];
+      point[axis] += step[axis];
+    }
+    const double length = std::sqrt(dot(step, step));
+    if (!std::isfinite(length)) return {};
+    if (negligible(step, point)) return point;
+    if (length >= 0.5 * previous && length * length <= 1e-26 * dot(point, point)) return point;
+    previous = length;
+  }
+  return {};
+}
+
+}  // namespace rfm

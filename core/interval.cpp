@@ -1,0 +1,228 @@
+#include "core/interval.hpp"
+
+#include <numbers>
+
+namespace rfm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// NaN from inf − inf or 0 · inf means that nothing is known of that end.
+Interval widened(double low, double high, double relative) {
+  low = std::isnan(low) ? -infinity : low - relative * std::fabs(low);
+  high = std::isnan(high) ? infinity : high + relative * std::fabs(high);
+  if (std::isnan(low)) low = -infinity;
+  if (std::isnan(high)) high = infinity;
+  return {low, high};
+}
+
+constexpr double basic_margin = 0x1p-52;
+constexpr double library_margin = 0x1p-50;
+
+Interval outward(double low, double high) { return widened(low, high, basic_margin); }
+
+// Results of elementary functions may underflow too: add the smallest denormal unless exact.
+Interval library(double low, double high) {
+  Interval wide = widened(low, high, library_margin);
+  if (wide.low != 0) wide.low -= std::numeric_limits<double>::denorm_min();
+  if (wide.high != 0) wide.high += std::numeric_limits<double>::denorm_min();
+  return wide;
+}
+
+template <class Function>
+Interval increasing(const Interval& a, Function&& function) {
+  return library(function(a.low), function(a.high));
+}
+
+}  // namespace
+
+Interval operator+(const Interval& a, const Interval& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  return outward(a.low + b.low, a.high + b.high);
+}
+
+Interval operator-(const Interval& a, const Interval& b) {
+  if (b.is_zero()) return a;
+  return outward(a.low - b.high, a.high - b.low);
+}
+
+Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
+
+Interval operator*(const Interval& a, const Interval& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  // The convention 0 · ∞ = 0 is right for enclosures: the infinite end is a bound, not a value.
+  const auto product = [](double x, double y) { return x == 0 || y == 0 ? 0.0 : x * y; };
+  const double p = product(a.low, b.low), q = product(a.low, b.high);
+  const double r = product(a.high, b.low), s = product(a.high, b.high);
+  Interval wide = outward(std::min({p, q, r, s}), std::max({p, q, r, s}));
+  constexpr double tiny = std::numeric_limits<double>::min();
+  if (std::fabs(wide.low) < tiny && (wide.low != 0 || (a.low != 0 && b.low != 0)))
+    wide.low -= std::numeric_limits<double>::denorm_min();
+  if (std::fabs(wide.high) < tiny && (wide.high != 0 || (a.high != 0 && b.high != 0)))
+    wide.high += std::numeric_limits<double>::denorm_min();
+  return wide;
+}
+
+Interval operator/(const Interval& a, const Interval& b) {
+  if (a.is_zero() && b.excludes_zero()) return {};
+  if (!b.excludes_zero()) {
+    if (b.is_zero()) return Interval::entire();
+    if (b.low == 0 && a.low >= 0) return outward(a.low / b.high, infinity);
+    if (b.low == 0 && a.high <= 0) return outward(-infinity, a.high / b.high);
+    if (b.high == 0 && a.low >= 0) return outward(-infinity, a.low / b.low);
+    if (b.high == 0 && a.high <= 0) return outward(a.high / b.low, infinity);
+    return Interval::entire();
+  }
+  return a * outward(1 / b.high, 1 / b.low);
+}
+
+Interval square(const Interval& a) {
+  const double low = a.low * a.low, high = a.high * a.high;
+  if (a.low <= 0 && a.high >= 0) return {0, outward(0, std::max(low, high)).high};
+  const Interval wide = outward(std::min(low, high), std::max(low, high));
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
+Interval integer_power(const Interval& a, int exponent) {
+  if (exponent < 0) return Interval(1) / integer_power(a, -exponent);
+  if (exponent == 0) return 1;
+  if (exponent == 1) return a;
+  if (exponent == 2) return square(a);
+  const double low = std::pow(a.low, exponent), high = std::pow(a.high, exponent);
+  if (exponent % 2 != 0) return library(low, high);
+  if (a.low <= 0 && a.high >= 0) return {0, library(0, std::max(low, high)).high};
+  return library(std::min(low, high), std::max(low, high));
+}
+
+Interval power(const Interval& a, double exponent) {
+  const double low = std::max(a.low, 0.0), high = std::max(a.high, 0.0);
+  const double p = std::pow(low, exponent), q = std::pow(high, exponent);
+  const Interval wide = library(std::min(p, q), std::max(p, q));
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
+Interval sqrt(const Interval& a) {
+  const Interval wide = outward(std::sqrt(std::max(a.low, 0.0)), std::sqrt(std::max(a.high, 0.0)));
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
+Interval cbrt(const Interval& a) {
+  return increasing(a, [](double x) { return std::cbrt(x); });
+}
+
+Interval exp(const Interval& a) {
+  const Interval wide = increasing(a, [](double x) { return std::exp(x); });
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
+Interval log(const Interval& a) {
+  if (a.high <= 0) return Interval::entire();
+  return increasing(a, [](double x) { return x > 0 ? std::log(x) : -infinity; });
+}
+
+Interval cos(const Interval& a) {
+  constexpr double pi = std::numbers::pi;
+  // Beyond 2⁵⁰ the period is lost in rounding.
+  if (!(a.width() < 2 * pi) || a.magnitude() > 0x1p50) return {-1, 1};
+  // k π in [low, high] for some even (odd) k makes the maximum (minimum) ±1. The quotient carries a
+  // rounding error, so that multiples within it are counted too.
+  const double slack = 4e-16 * (1 + a.magnitude() / pi);
+  const double first = std::ceil(a.low / pi - slack), last = std::floor(a.high / pi + slack);
+  bool even = false, odd = false;
+  for (double k = first; k <= last && k <= first + 2; ++k)
+    (std::fmod(k, 2.0) == 0 ? even : odd) = true;
+  const double p = std::cos(a.low), q = std::cos(a.high);
+  const Interval wide = library(std::min(p, q), std::max(p, q));
+  return {odd ? -1 : std::max(-1.0, wide.low), even ? 1 : std::min(1.0, wide.high)};
+}
+
+Interval sin(const Interval& a) {
+  constexpr double half_pi = std::numbers::pi / 2;
+  if (!(a.width() < 4 * half_pi) || a.magnitude() > 0x1p50) return {-1, 1};
+  const double slack = 4e-16 * (1 + a.magnitude() / half_pi);
+  // Extrema at π/2 + kπ: maxima for even k.
+  const double first = std::ceil((a.low / half_pi - 1) / 2 - slack);
+  const double last = std::floor((a.high / half_pi - 1) / 2 + slack);
+  bool even = false, odd = false;
+  for (double k = first; k <= last && k <= first + 2; ++k)
+    (std::fmod(k, 2.0) == 0 ? even : odd) = true;
+  const double p = std::sin(a.low), q = std::sin(a.high);
+  const Interval wide = library(std::min(p, q), std::max(p, q));
+  return {odd ? -1 : std::max(-1.0, wide.low), even ? 1 : std::min(1.0, wide.high)};
+}
+
+Interval tan(const Interval& a) {
+  constexpr double pi = std::numbers::pi;
+  const double slack = 4e-16 * (1 + a.magnitude() / pi);
+  const double low = std::floor(a.low / pi + 0.5 - slack);
+  const double high = std::floor(a.high / pi + 0.5 + slack);
+  if (!(low == high) || a.magnitude() > 0x1p50) return Interval::entire();
+  return increasing(a, [](double x) { return std::tan(x); });
+}
+
+Interval asin(const Interval& a) {
+  return increasing({std::clamp(a.low, -1.0, 1.0), std::clamp(a.high, -1.0, 1.0)},
+                    [](double x) { return std::asin(x); });
+}
+
+Interval acos(const Interval& a) {
+  const Interval wide = library(std::acos(std::clamp(a.high, -1.0, 1.0)),
+                                std::acos(std::clamp(a.low, -1.0, 1.0)));
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
+Interval atan(const Interval& a) {
+  return increasing(a, [](double x) { return std::atan(x); });
+}
+
+Interval atan2(const Interval& y, const Interval& x) {
+  constexpr double pi = std::numbers::pi;
+  const bool origin = x.contains(0) && y.contains(0);
+  const bool crosses_cut = x.low < 0 && y.low < 0 && y.high >= 0;
+  if (origin || crosses_cut) return {-pi - 1e-15, pi + 1e-15};
+  // Without the origin and the cut, extremes over a box are taken at its corners.
+  const double p = std::atan2(y.low, x.low), q = std::atan2(y.low, x.high);
+  const double r = std::atan2(y.high, x.low), s = std::atan2(y.high, x.high);
+  return library(std::min({p, q, r, s}), std::max({p, q, r, s}));
+}
+
+Interval sinh(const Interval& a) {
+  return increasing(a, [](double x) { return std::sinh(x); });
+}
+
+Interval cosh(const Interval& a) {
+  const double p = std::cosh(a.low), q = std::cosh(a.high);
+  const Interval wide = library(std::min(p, q), std::max(p, q));
+  return {a.contains(0) ? 1 : std::max(1.0, wide.low), wide.high};
+}
+
+Interval tanh(const Interval& a) {
+  return increasing(a, [](double x) { return std::tanh(x); });
+}
+
+Interval asinh(const Interval& a) {
+  return increasing(a, [](double x) { return std::asinh(x); });
+}
+
+Interval erf(const Interval& a) {
+  return increasing(a, [](double x) { return std::erf(x); });
+}
+
+Interval abs(const Interval& a) { return {a.mignitude(), a.magnitude()}; }
+
+Interval floor(const Interval& a) { return {std::floor(a.low), std::floor(a.high)}; }
+
+Interval hypot(const Interval& a, const Interval& b) { return sqrt(square(a) + square(b)); }
+
+Interval intersection(const Interval& a, const Interval& b) {
+  const Interval common{std::max(a.low, b.low), std::min(a.high, b.high)};
+  if (common.low <= common.high) return common;
+  return a.width() < b.width() ? a : b;
+}
+
+Interval hull(const Interval& a, const Interval& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+}  // namespace rfm

@@ -1,0 +1,526 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/multi_index.hpp"
+#include "core/scalar.hpp"
+
+namespace rfm {
+
+/// A function at a point together with all its partial derivatives up to order K in N variables: the
+/// truncated Taylor polynomial
+///
+///     f(a + h) = Σ_{|α| ≤ K} c_α h^α + O(|h|^{K+1}),      c_α = ∂^α f(a) / α! .
+///
+/// Jets add and multiply as polynomials of which terms beyond degree K are dropped, and a function of
+/// one variable is composed with a jet by its own Taylor coefficients. So a formula evaluated with
+/// jets gives exact derivatives of any order; there are no finite differences anywhere.
+///
+///     auto x = Jet<double, 2, 2>::variable(0, 0.5), y = Jet<double, 2, 2>::variable(1, 2.0);
+///     auto f = sin(x) * exp(y);
+///     f.derivative({1, 1})                                       // f_xy = cos(0.5) e²
+///
+/// T is the kind of number: `double` for single points, `Batch` for several points at once,
+/// `Interval` and `TaylorBound` for enclosures over a box. Coefficients are ordered as in
+/// core/multi_index.hpp, so a jet of lower order is a prefix.
+///
+/// Where a function is not differentiable (√ and |·| at 0, the corner of an R-function) its
+/// derivatives are finite by convention: singular coefficients are 0. Where it is undefined
+/// (√ of a negative number) the result is NaN.
+template <class T, int N, int K>
+struct Jet {
+  static_assert(N >= 1 && N <= 4 && K >= 0);
+  static constexpr int size = jet_size(N, K);
+  std::array<T, size> c{};
+
+  Jet() {
+    for (T& coefficient : c) coefficient = T(0.0);
+  }
+  Jet(double number) : Jet() { c[0] = T(number); }  // NOLINT: numbers are jets
+  static Jet constant(const T& value) {
+    Jet jet;
+    jet.c[0] = value;
+    return jet;
+  }
+  static Jet variable(int axis, const T& value) {
+    Jet jet = constant(value);
+    if constexpr (K >= 1) jet.c[1 + axis] = T(1.0);
+    return jet;
+  }
+
+  const T& value() const { return c[0]; }
+  /// ∂^α f, with |α| ≤ K.
+  T derivative(const MultiIndex& alpha) const {
+    return c[jet_index(N, alpha)] * T(factorial(alpha));
+  }
+};
+
+/// Multi-indices of a jet in order, and the terms of its product, computed at compile time.
+template <int N, int K>
+struct JetTables {
+  static constexpr int size = jet_size(N, K);
+
+  static constexpr std::array<MultiIndex, size> exponents = [] {
+    std::array<MultiIndex, size> list{};
+    const auto visit = [&](auto&& self, MultiIndex index, int axis, int left) -> void {
+      if (axis == N) {
+        list[jet_index(N, index)] = index;
+        return;
+      }
+      for (int power = 0; power <= left; ++power) {
+        index[axis] = static_cast<std::uint8_t>(power);
+        self(self, index, axis + 1, left - power);
+      }
+    };
+    visit(visit, MultiIndex{}, 0, K);
+    return list;
+  }();
+
+  struct ProductTerm {
+    std::uint8_t left, right, result;
+  };
+  static constexpr int product_terms = jet_size(2 * N, K);
+  static constexpr std::array<ProductTerm, product_terms> product = [] {
+    std::array<ProductTerm, product_terms> list{};
+    int count = 0;
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        if (degree(exponents[i]) + degree(exponents[j]) <= K)
+          list[count++] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
+                           static_cast<std::uint8_t>(jet_index(N, exponents[i] + exponents[j]))};
+    return list;
+  }();
+};
+
+template <class T, int N, int K>
+Jet<T, N, K> operator+(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  Jet<T, N, K> sum;
+  for (int i = 0; i < sum.size; ++i) sum.c[i] = a.c[i] + b.c[i];
+  return sum;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> operator-(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  Jet<T, N, K> difference;
+  for (int i = 0; i < difference.size; ++i) difference.c[i] = a.c[i] - b.c[i];
+  return difference;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> operator-(const Jet<T, N, K>& a) {
+  Jet<T, N, K> negative;
+  for (int i = 0; i < negative.size; ++i) negative.c[i] = -a.c[i];
+  return negative;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> scaled(const T& factor, const Jet<T, N, K>& a) {
+  Jet<T, N, K> product;
+  for (int i = 0; i < product.size; ++i) product.c[i] = factor * a.c[i];
+  return product;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> operator*(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  using Tables = JetTables<N, K>;
+  Jet<T, N, K> product;
+  [&]<std::size_t... term>(std::index_sequence<term...>) {
+    ((product.c[Tables::product[term].result] =
+          product.c[Tables::product[term].result] +
+          a.c[Tables::product[term].left] * b.c[Tables::product[term].right]),
+     ...);
+  }(std::make_index_sequence<Tables::product_terms>{});
+  return product;
+}
+
+/// f(a), given the Taylor coefficients f^(k)(a₀)/k!, k = 0 … K, of f at the value of `a`.
+template <class T, int N, int K>
+Jet<T, N, K> compose(const Jet<T, N, K>& a, const std::array<T, K + 1>& taylor) {
+  if constexpr (K == 1) {  // the chain rule, spelled out for the commonest case
+    Jet<T, N, K> result;
+    result.c[0] = taylor[0];
+    for (int i = 1; i < result.size; ++i) result.c[i] = taylor[1] * a.c[i];
+    return result;
+  } else {
+    Jet<T, N, K> increment = a;
+    increment.c[0] = T(0.0);
+    Jet<T, N, K> result = Jet<T, N, K>::constant(taylor[K]);
+    for (int k = K - 1; k >= 0; --k) {
+      result = result * increment;
+      result.c[0] = taylor[k];
+    }
+    return result;
+  }
+}
+
+/// f(a) from f(a₀) and the jet of f′ in one variable at a₀ (to order K − 1).
+template <class T, int N, int K>
+Jet<T, N, K> compose_primitive(const Jet<T, N, K>& a, const T& value,
+                               const Jet<T, 1, (K > 0 ? K - 1 : 0)>& derivative) {
+  std::array<T, K + 1> taylor;
+  taylor[0] = value;
+  for (int k = 1; k <= K; ++k) taylor[k] = derivative.c[k - 1] * T(1.0 / k);
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  // q b = a, solved coefficient by coefficient in ascending degree: no powers of 1/b.
+  using Tables = JetTables<N, K>;
+  const T inverse = T(1.0) / b.c[0];
+  Jet<T, N, K> quotient;
+  if constexpr (K == 0) {
+    quotient.c[0] = a.c[0] / b.c[0];
+  } else {
+    Jet<T, N, K> rest = a;
+    int done = -1;
+    // Terms are sorted by their left factor, which is complete once all smaller ones are applied.
+    for (const auto& term : Tables::product) {
+      if (term.left != done) {
+        done = term.left;
+        quotient.c[done] = rest.c[done] * inverse;
+      }
+      if (term.right != 0)
+        rest.c[term.result] = rest.c[term.result] - quotient.c[term.left] * b.c[term.right];
+    }
+  }
+  return quotient;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> select(const auto& condition, const Jet<T, N, K>& yes, const Jet<T, N, K>& no) {
+  Jet<T, N, K> chosen;
+  for (int i = 0; i < chosen.size; ++i) chosen.c[i] = select(condition, yes.c[i], no.c[i]);
+  return chosen;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> square(const Jet<T, N, K>& a) {
+  Jet<T, N, K> product = a * a;
+  product.c[0] = square(a.c[0]);  // an enclosure of a square knows that it is not negative
+  return product;
+}
+
+/// ∂a/∂(axis): one order less is meaningful, coefficients of degree K are zero.
+template <class T, int N, int K>
+Jet<T, N, K> differentiate(const Jet<T, N, K>& a, int axis) {
+  using Tables = JetTables<N, K>;
+  Jet<T, N, K> derivative;
+  for (int i = 0; i < derivative.size; ++i) {
+    const MultiIndex& alpha = Tables::exponents[i];
+    if (degree(alpha) < K)
+      derivative.c[i] =
+          T(alpha[axis] + 1.0) * a.c[jet_index(N, alpha + unit_index(axis))];
+  }
+  return derivative;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> integer_power(const Jet<T, N, K>& a, int exponent) {
+  if (exponent < 0) return Jet<T, N, K>(1.0) / integer_power(a, -exponent);
+  if (exponent == 0) return Jet<T, N, K>(1.0);
+  Jet<T, N, K> base = a;
+  while (exponent % 2 == 0) base = square(base), exponent /= 2;
+  Jet<T, N, K> result = base;
+  for (exponent /= 2; exponent > 0; exponent /= 2) {
+    base = square(base);
+    if (exponent % 2 == 1) result = result * base;
+  }
+  return result;
+}
+
+/// aᵉ for a ≥ 0; at a = 0 the singular coefficients are 0.
+template <class T, int N, int K>
+Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
+  using rfm::power;
+  std::array<T, K + 1> taylor;
+  taylor[0] = power(a.c[0], exponent);
+  double binomial = 1;
+  for (int k = 1; k <= K; ++k) {
+    binomial *= (exponent - k + 1) / k;
+    const T singular = T(binomial) * power(a.c[0], exponent - k);
+    taylor[k] = exponent >= k ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sqrt(const Jet<T, N, K>& a) {
+  using std::sqrt;
+  std::array<T, K + 1> taylor;
+  taylor[0] = sqrt(a.c[0]);
+  if constexpr (K > 0) {
+    const T inverse = reciprocal_or_zero(a.c[0]);
+    for (int k = 1; k <= K; ++k) taylor[k] = T((1.5 - k) / k) * taylor[k - 1] * inverse;
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cbrt(const Jet<T, N, K>& a) {
+  using std::cbrt;
+  std::array<T, K + 1> taylor;
+  taylor[0] = cbrt(a.c[0]);
+  if constexpr (K > 0) {
+    const T inverse = reciprocal_or_zero(a.c[0]);
+    for (int k = 1; k <= K; ++k) taylor[k] = T((4.0 / 3 - k) / k) * taylor[k - 1] * inverse;
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> exp(const Jet<T, N, K>& a) {
+  using std::exp;
+  std::array<T, K + 1> taylor;
+  taylor[0] = exp(a.c[0]);
+  for (int k = 1; k <= K; ++k) taylor[k] = taylor[k - 1] * T(1.0 / k);
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> log(const Jet<T, N, K>& a) {
+  using std::log;
+  std::array<T, K + 1> taylor;
+  taylor[0] = log(a.c[0]);
+  if constexpr (K > 0) {
+    const T inverse = reciprocal_or_zero(a.c[0]);
+    T power = inverse;
+    for (int k = 1; k <= K; ++k) {
+      taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
+      power = power * inverse;
+    }
+  }
+  return compose(a, taylor);
+}
+
+/// The Taylor coefficients of a function whose derivatives repeat as `first`, `second`, ± those.
+template <class T, int K>
+std::array<T, K + 1> alternating_series(const T& first, const T& second, double sign) {
+  std::array<T, K + 1> taylor;
+  double factor = 1;
+  for (int k = 0; k <= K; ++k) {
+    if (k > 0) factor /= k;
+    if (k > 1 && k % 2 == 0) factor *= sign;
+    taylor[k] = T(factor) * (k % 2 == 0 ? first : second);
+  }
+  return taylor;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sin(const Jet<T, N, K>& a) {
+  using std::cos, std::sin;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(sin(a.c[0]));
+  return compose(a, alternating_series<T, K>(sin(a.c[0]), cos(a.c[0]), -1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cos(const Jet<T, N, K>& a) {
+  using std::cos, std::sin;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(cos(a.c[0]));
+  return compose(a, alternating_series<T, K>(cos(a.c[0]), -sin(a.c[0]), -1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sinh(const Jet<T, N, K>& a) {
+  using std::cosh, std::sinh;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(sinh(a.c[0]));
+  return compose(a, alternating_series<T, K>(sinh(a.c[0]), cosh(a.c[0]), 1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cosh(const Jet<T, N, K>& a) {
+  using std::cosh, std::sinh;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(cosh(a.c[0]));
+  return compose(a, alternating_series<T, K>(cosh(a.c[0]), sinh(a.c[0]), 1));
+}
+
+/// Taylor coefficients of the solution of f′ = 1 + sign f²: tan (+) and tanh (−).
+template <class T, int K>
+std::array<T, K + 1> riccati_series(const T& value, double sign) {
+  std::array<T, K + 1> taylor;
+  taylor[0] = value;
+  for (int k = 0; k < K; ++k) {
+    T sum = T(0.0);
+    for (int i = 0; i <= k; ++i) sum = sum + taylor[i] * taylor[k - i];
+    taylor[k + 1] = T(1.0 / (k + 1)) * (T(k == 0 ? 1.0 : 0.0) + T(sign) * sum);
+  }
+  return taylor;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> tan(const Jet<T, N, K>& a) {
+  using std::tan;
+  return compose(a, riccati_series<T, K>(tan(a.c[0]), 1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> tanh(const Jet<T, N, K>& a) {
+  using std::tanh;
+  return compose(a, riccati_series<T, K>(tanh(a.c[0]), -1));
+}
+
+/// The jet in one variable at the value of `a`, one order lower: derivatives of inverse functions
+/// are built from it.
+template <class T, int N, int K>
+auto own_variable(const Jet<T, N, K>& a) {
+  return Jet<T, 1, (K > 0 ? K - 1 : 0)>::variable(0, a.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> asin(const Jet<T, N, K>& a) {
+  using std::asin;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  return compose_primitive(a, T(asin(a.c[0])), real_power(one - x * x, -0.5));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> acos(const Jet<T, N, K>& a) {
+  using std::acos;
+  Jet<T, N, K> result = -asin(a);
+  result.c[0] = acos(a.c[0]);
+  return result;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> atan(const Jet<T, N, K>& a) {
+  using std::atan;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(atan(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  return compose_primitive(a, T(atan(a.c[0])), one / (one + x * x));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> asinh(const Jet<T, N, K>& a) {
+  using std::asinh;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(asinh(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  return compose_primitive(a, T(asinh(a.c[0])), real_power(one + x * x, -0.5));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> erf(const Jet<T, N, K>& a) {
+  using std::erf;
+  if constexpr (K == 0) return Jet<T, N, K>::constant(erf(a.c[0]));
+  const auto x = own_variable(a);
+  return compose_primitive(a, T(erf(a.c[0])),
+                           scaled(T(2 * std::numbers::inv_sqrtpi), exp(-(x * x))));
+}
+
+/// The angle of (x, y): all derivatives are those of atan(y/x) or of −atan(x/y), whichever quotient
+/// is the smaller.
+template <class T, int N, int K>
+Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
+  using std::atan2;
+  Jet<T, N, K> angle;
+  if constexpr (K > 0) {
+    const auto steep = less(square(x.c[0]), square(y.c[0]));
+    const Jet<T, N, K> numerator = select(steep, x, y), denominator = select(steep, y, x);
+    const Jet<T, N, K> flat = atan(numerator / denominator);
+    const auto origin = equal(square(x.c[0]) + square(y.c[0]), T(0.0));
+    angle = select(origin, Jet<T, N, K>(), select(steep, -flat, flat));
+  }
+  angle.c[0] = atan2(y.c[0], x.c[0]);
+  return angle;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> floor(const Jet<T, N, K>& a) {
+  using std::floor;
+  return Jet<T, N, K>::constant(floor(a.c[0]));
+}
+
+/// 1 where the mask holds, else 0.
+template <class T, int N, int K>
+Jet<T, N, K> indicator(const auto& mask) {
+  return Jet<T, N, K>::constant(select(mask, T(1.0), T(0.0)));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> step(const Jet<T, N, K>& a) {
+  return indicator<T, N, K>(less_equal(T(0.0), a.c[0]));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> less_than(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return indicator<T, N, K>(less(a.c[0], b.c[0]));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> at_most(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return indicator<T, N, K>(less_equal(a.c[0], b.c[0]));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> equals(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return indicator<T, N, K>(equal(a.c[0], b.c[0]));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> choose(const Jet<T, N, K>& condition, const Jet<T, N, K>& yes,
+                    const Jet<T, N, K>& no) {
+  return select(equal(condition.c[0], T(0.0)), no, yes);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sign(const Jet<T, N, K>& a) {
+  const T negative_or_zero = select(less(a.c[0], T(0.0)), T(-1.0), T(0.0));
+  return Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> abs(const Jet<T, N, K>& a) {
+  return select(less(a.c[0], T(0.0)), -a, a);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> min(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return select(less(b.c[0], a.c[0]), b, a);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> max(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return select(less(a.c[0], b.c[0]), b, a);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> mod(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return a - b * floor(a / b);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> general_power(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return exp(b * log(a));
+}
+
+/// √(a² + b²).
+template <class T, int N, int K>
+Jet<T, N, K> hypot(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return sqrt(square(a) + square(b));
+}
+
+/// The R₀-conjunction a + b − √(a² + b²): positive exactly where both are. Its value is taken as
+/// 2ab / (a + b + √(a² + b²)) for a + b > 0, which does not cancel near the boundary.
+template <class T, int N, int K>
+Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  const Jet<T, N, K> root = hypot(a, b);
+  Jet<T, N, K> result = a + b - root;
+  const T sum = a.c[0] + b.c[0];
+  const T stable = T(2.0) * a.c[0] * b.c[0] / (sum + root.c[0]);
+  result.c[0] = select(less(T(0.0), sum), stable, result.c[0]);
+  return result;
+}
+
+/// The R₀-disjunction a + b + √(a² + b²) = −(−a ∧ −b).
+template <class T, int N, int K>
+Jet<T, N, K> r0_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return -r0_conjunction(-a, -b);
+}
+
+}  // namespace rfm

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/field_source.hpp"
+
+namespace rfm {
+
+class Tape;
+struct Quadric;
+
+/// A primitive as quadrature and branch-and-bound see it: values and gradients at single points,
+/// rigorous bounds over boxes. Polynomials of degree ≤ 2 (half-planes, circles, ellipses, spheres,
+/// cylinders, quadrics) are recognised in the expression and evaluated in closed form; all else goes
+/// through a tape. Thread-safe; bounds of derivatives that vanish identically are exactly [0, 0].
+class LevelFunction {
+ public:
+  LevelFunction(const Field& field, int dimension);
+  ~LevelFunction();
+  LevelFunction(LevelFunction&&) noexcept;
+  LevelFunction& operator=(LevelFunction&&) noexcept;
+
+  int dimension() const { return dimension_; }
+  double value(const Point& point) const;
+  /// The value; `slope` receives ∂/∂(axis).
+  double value_and_slope(const Point& point, int axis, double& slope) const;
+  /// The value; `gradient` receives ∇ (zero beyond the dimension).
+  double value_and_gradient(const Point& point, Point& gradient) const;
+  /// Bounds of the value: fast, for classification.
+  Interval value_bounds(const Box& box) const;
+  /// Bounds of value and gradient, as tight as is available (Taylor-1 and mean value form).
+  FunctionBounds bounds(const Box& box) const;
+  /// Coordinates where the function is not smooth along `axis` (knots of sampled fields).
+  const std::vector<double>& breakpoints(int axis) const { return breakpoints_[axis]; }
+  bool is_quadric() const { return quadric_ != nullptr; }
+
+ private:
+  int dimension_;
+  std::unique_ptr<const Quadric> quadric_;
+  std::unique_ptr<const Tape> tape_;
+  std::array<std::vector<double>, 3> breakpoints_;
+};
+
+}  // namespace rfm

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/jet.hpp"
+#include "core/operations.hpp"
+#include "core/taylor_bound.hpp"
+
+namespace rfm {
+
+/// Applies a row of the operation table, known at compile time, to its arguments (those beyond its
+/// arity are ignored). `Number` is a jet over any kind of number.
+template <Operation operation, class Number>
+Number apply_rule(const Number& a, [[maybe_unused]] const Number& b,
+                  [[maybe_unused]] const Number& c) {
+#define RFM_APPLY(id, name, arity, rule, formula, not_smooth) \
+  if constexpr (operation == Operation::id) return rule;
+  RFM_OPERATIONS(RFM_APPLY)
+#undef RFM_APPLY
+}
+
+/// The same for an operation known at run time.
+template <class Number>
+Number apply_rule(Operation operation, const Number& a, const Number& b, const Number& c) {
+  switch (operation) {
+#define RFM_CASE(id, ...) \
+  case Operation::id:     \
+    return apply_rule<Operation::id>(a, b, c);
+    RFM_OPERATIONS(RFM_CASE)
+#undef RFM_CASE
+    default:
+      return Number();
+  }
+}
+
+}  // namespace rfm

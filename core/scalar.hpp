@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <experimental/simd>
+
+#include "core/interval.hpp"
+
+namespace rfm {
+
+/// A batch of numbers as wide as the machine's vectors: the hot path of tapes.
+using Batch = std::experimental::native_simd<double>;
+using BatchMask = Batch::mask_type;
+
+// The rules of jets are written once for every kind of number: double, Batch, Interval,
+// TaylorBound. What these do not share by name is brought together here: comparisons give a mask
+// (bool, a lane mask, a Truth), and `select(mask, yes, no)` chooses by it. The select of a Batch
+// takes each lane from its own side, so that a NaN on the side not chosen does no harm; the select
+// of bounds encloses both sides where the truth is unknown.
+
+inline bool less(double a, double b) { return a < b; }
+inline bool less_equal(double a, double b) { return a <= b; }
+inline bool equal(double a, double b) { return a == b; }
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+inline double square(double a) { return a * a; }
+
+inline BatchMask less(const Batch& a, const Batch& b) { return a < b; }
+inline BatchMask less_equal(const Batch& a, const Batch& b) { return a <= b; }
+inline BatchMask equal(const Batch& a, const Batch& b) { return a == b; }
+inline Batch select(const BatchMask& condition, const Batch& yes, const Batch& no) {
+  Batch chosen = no;
+  std::experimental::where(condition, chosen) = yes;
+  return chosen;
+}
+inline Batch square(const Batch& a) { return a * a; }
+
+/// aᵉ for a ≥ 0 as a plain number.
+inline double power(double a, double exponent) { return std::pow(a, exponent); }
+inline Batch power(const Batch& a, double exponent) {
+  return std::experimental::pow(a, Batch(exponent));
+}
+
+
+/// 1 / a, or 0 where a = 0: derivatives at singular points are finite by convention (see jet.hpp).
+template <class T>
+T reciprocal_or_zero(const T& a) {
+  return select(equal(a, T(0.0)), T(0.0), T(1.0) / a);
+}
+
+}  // namespace rfm

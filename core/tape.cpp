@@ -1,0 +1,138 @@
+#include "core/tape.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/scalar.hpp"
+#include "core/tape_program.hpp"
+
+namespace rfm {
+
+namespace {
+
+constexpr int batch_width = static_cast<int>(Batch::size());
+static_assert(Tape::block_size % batch_width == 0);
+
+template <class Function>
+auto in_dimension(int dimension, const Function& function) {
+  switch (dimension) {
+    case 1:
+      return function.template operator()<1>();
+    case 2:
+      return function.template operator()<2>();
+    default:
+      return function.template operator()<3>();
+  }
+}
+
+// Rounds a pointer up to the width of a vector register.
+double* aligned(double* pointer) {
+  constexpr std::uintptr_t alignment = 64;
+  const auto address = reinterpret_cast<std::uintptr_t>(pointer);
+  return reinterpret_cast<double*>((address + alignment - 1) / alignment * alignment);
+}
+
+}  // namespace
+
+Kernel find_kernel(Operation operation, int dimension, int order) {
+  return in_dimension(dimension, [&]<int N>() { return find_kernel_in<N>(operation, order); });
+}
+
+Tape::Tape(std::vector<Field> roots, std::vector<int> orders, int dimension)
+    : roots_(std::move(roots)), orders_(std::move(orders)), dimension_(dimension) {
+  if (dimension < 1 || dimension > 3)
+    throw InvalidArgument("tapes have 1 to 3 variables, got " + std::to_string(dimension));
+  if (orders_.size() == 1) orders_.resize(roots_.size(), orders_[0]);
+  if (orders_.size() != roots_.size())
+    throw InvalidArgument("a tape needs one order, or one for each root");
+  program_ = compile(roots_, orders_, dimension_);
+}
+
+Tape::~Tape() = default;
+Tape::Tape(Tape&&) noexcept = default;
+Tape& Tape::operator=(Tape&&) noexcept = default;
+
+int Tape::instruction_count() const { return static_cast<int>(program_->instructions.size()); }
+
+Tape::Workspace::Workspace(const Tape& tape)
+    : storage_(static_cast<std::size_t>(tape.program_->rows) * block_size + 8),
+      data_(aligned(storage_.data())),
+      root_offset_(tape.program_->root_rows) {}
+
+void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
+  if (points.count <= 0) return;
+  double* const memory = workspace.data_;
+  // Lanes beyond the last point repeat it, so that kernels always work on whole vectors.
+  const int padded = (points.count + batch_width - 1) / batch_width * batch_width;
+  const auto fill = [&](const Instruction& instruction, double value, int slope_axis) {
+    double* const row = memory + instruction.result_row * block_size;
+    const int size = jet_size(dimension_, instruction.order);
+    std::fill(row, row + padded, value);
+    for (int i = 1; i < size; ++i)
+      std::fill_n(row + i * block_size, padded, i == 1 + slope_axis ? 1.0 : 0.0);
+  };
+  const auto pad = [&](double* row) { std::fill(row + points.count, row + padded, row[points.count - 1]); };
+  for (std::size_t i = 0; i < program_->instructions.size(); ++i) {
+    const Instruction& instruction = program_->instructions[i];
+    if (const Kernel kernel = program_->kernels[i]) {
+      kernel(instruction, memory, padded);
+      continue;
+    }
+    double* const row = memory + instruction.result_row * block_size;
+    switch (instruction.operation) {
+      case Operation::coordinate:
+        if (instruction.index == 3) {
+          fill(instruction, points.time, -2);
+        } else {
+          fill(instruction, 0, instruction.index);
+          std::copy_n(points.coordinates[instruction.index], points.count, row);
+          pad(row);
+        }
+        break;
+      case Operation::parameter:
+        if (instruction.index >= static_cast<int>(points.parameters.size()))
+          throw InvalidArgument("the field needs parameter number " +
+                                std::to_string(instruction.index) + ", but only " +
+                                std::to_string(points.parameters.size()) + " are given");
+        fill(instruction, points.parameters[instruction.index], -2);
+        break;
+      case Operation::source:
+        instruction.source->evaluate(points.coordinates, points.count, dimension_,
+                                     instruction.order, row, block_size);
+        for (int k = 0; k < jet_size(dimension_, instruction.order); ++k)
+          pad(row + k * block_size);
+        break;
+      default:
+        fill(instruction, instruction.number, -2);
+    }
+  }
+}
+
+FunctionBounds Tape::bounds(const Box& box, int root, double time) const {
+  return in_dimension(dimension_, [&]<int N>() {
+    return SinglePoint<N>::bounds(*program_, root, box, time);
+  });
+}
+
+Interval Tape::value_bounds(const Box& box, int root, double time) const {
+  return in_dimension(dimension_, [&]<int N>() {
+    return SinglePoint<N>::value_bounds(*program_, root, box, time);
+  });
+}
+
+double Tape::value(const Point& point, int root, double time) const {
+  return in_dimension(dimension_, [&]<int N>() {
+    return SinglePoint<N>::value(*program_, root, point, time, nullptr);
+  });
+}
+
+double Tape::value_and_gradient(const Point& point, Point& gradient, int root, double time) const {
+  gradient = {};
+  return in_dimension(dimension_, [&]<int N>() {
+    return SinglePoint<N>::value(*program_, root, point, time, &gradient);
+  });
+}
+
+}  // namespace rfm

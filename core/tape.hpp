@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/field_source.hpp"
+
+namespace rfm {
+
+/// What is known of the points of one evaluation: `count` ≤ `Tape::block_size` points, coordinate
+/// by coordinate (those beyond the tape's dimension may be null), the time, and the parameters.
+struct PointBlock {
+  std::array<const double*, 3> coordinates{};
+  int count = 0;
+  double time = 0;
+  std::span<const double> parameters{};
+};
+
+/// Fields compiled for evaluation: the graph hash-consed, sorted, every node at the lowest order of
+/// derivatives that its users need, registers reused. Immutable and shared by threads; each thread
+/// evaluates with a `Workspace` of its own.
+///
+///     const Tape tape({u, f}, {2, 0}, 2);                  // u with second derivatives in 2D
+///     Tape::Workspace workspace(tape);
+///     tape.evaluate(points, workspace);
+///     const double* u_xy = workspace.coefficient(0, jet_index(2, {1, 1}));   // [point]
+///
+/// Coefficients are Taylor coefficients ∂^α f / α!, in the order of `jet_index`. Compiled for
+/// 1 to 3 variables and orders 0 to 3 (0 to 4 in 2D); a field that needs more throws
+/// `InvalidArgument` at compilation.
+class Tape {
+ public:
+  static constexpr int block_size = 64;
+
+  /// `orders[i]` derivatives of `roots[i]`; one order may be given for all roots.
+  Tape(std::vector<Field> roots, std::vector<int> orders, int dimension);
+  ~Tape();
+  Tape(Tape&&) noexcept;
+  Tape& operator=(Tape&&) noexcept;
+
+  class Workspace;
+  /// Jets of all roots at up to `block_size` points.
+  void evaluate(const PointBlock& points, Workspace& workspace) const;
+  /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
+  /// models with interval remainders. Time is taken from `time`.
+  FunctionBounds bounds(const Box& box, int root = 0, double time = 0) const;
+  /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
+  Interval value_bounds(const Box& box, int root = 0, double time = 0) const;
+  /// Value and gradient of root `root` at one point, without a workspace.
+  double value(const Point& point, int root = 0, double time = 0) const;
+  double value_and_gradient(const Point& point, Point& gradient, int root = 0,
+                            double time = 0) const;
+
+  int dimension() const { return dimension_; }
+  int root_count() const { return static_cast<int>(roots_.size()); }
+  int order(int root) const { return orders_[root]; }
+  int instruction_count() const;
+  const std::vector<Field>& roots() const { return roots_; }
+
+  struct Program;
+
+ private:
+  std::vector<Field> roots_;
+  std::vector<int> orders_;
+  int dimension_;
+  std::unique_ptr<const Program> program_;
+};
+
+/// Scratch memory and results of one thread. Valid for the tape it was made for.
+class Tape::Workspace {
+ public:
+  explicit Workspace(const Tape& tape);
+  /// Coefficient `coefficient` of root `root` at the points of the last evaluation.
+  const double* coefficient(int root, int coefficient = 0) const {
+    return data_ + (root_offset_[root] + coefficient) * block_size;
+  }
+
+ private:
+  friend class Tape;
+  std::vector<double> storage_;
+  double* data_ = nullptr;  // aligned for SIMD
+  std::vector<int> root_offset_;
+};
+
+}  // namespace rfm

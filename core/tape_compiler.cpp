@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/tape_program.hpp"
+
+namespace rfm {
+namespace {
+
+// What makes two nodes the same function.
+struct Key {
+  Operation operation;
+  int index;
+  std::uint64_t number;
+  const FieldSource* source;
+  std::array<int, 3> operands;
+  bool operator==(const Key&) const = default;
+};
+
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::size_t hash = static_cast<std::size_t>(key.operation);
+    const auto mix = [&hash](std::uint64_t value) {
+      hash ^= value + 0x9e3779b97f4a7c15ull + (hash << 6) + (hash >> 2);
+    };
+    mix(static_cast<std::uint64_t>(key.index));
+    mix(key.number);
+    mix(reinterpret_cast<std::uintptr_t>(key.source));
+    for (int operand : key.operands) mix(static_cast<std::uint64_t>(operand) + 1);
+    return hash;
+  }
+};
+
+class Compiler {
+ public:
+  explicit Compiler(int dimension) : dimension_(dimension) {}
+
+  int add(const Field& root) {
+    // Depth-first with a stack of our own: graphs may be deeper than the machine's stack.
+    std::vector<const Field::Node*> pending{&root.node()};
+    while (!pending.empty()) {
+      const Field::Node* node = pending.back();
+      if (number_of_.contains(node)) {
+        pending.pop_back();
+        continue;
+      }
+      bool ready = true;
+      for (const Field& argument : node->arguments)
+        if (!number_of_.contains(&argument.node())) {
+          pending.push_back(&argument.node());
+          ready = false;
+        }
+      if (!ready) continue;
+      pending.pop_back();
+      number_of_[node] = intern(*node);
+    }
+    return number_of_.at(&root.node());
+  }
+
+  std::vector<Instruction> instructions;
+
+ private:
+  int intern(const Field::Node& node) {
+    Instruction instruction;
+    instruction.operation = node.operation;
+    instruction.index = node.index;
+    instruction.number = node.number;
+    instruction.source = node.source;
+    for (std::size_t i = 0; i < node.arguments.size(); ++i)
+      instruction.operands[i] = number_of_.at(&node.arguments[i].node());
+    // A coordinate beyond the dimension is 0 for all points: nothing varies along it.
+    if (node.operation == Operation::coordinate && node.index < 3 && node.index >= dimension_) {
+      instruction.operation = Operation::constant;
+      instruction.index = 0;
+    }
+    if (node.operation == Operation::partial && node.index >= dimension_) {
+      instruction = Instruction();
+    }
+    simplify(instruction);
+    const Key key{instruction.operation, instruction.index,
+                  std::bit_cast<std::uint64_t>(instruction.number), instruction.source.get(),
+                  instruction.operands};
+    const auto [place, inserted] = known_.try_emplace(key, static_cast<int>(instructions.size()));
+    if (inserted) instructions.push_back(std::move(instruction));
+    return place->second;
+  }
+
+  bool constant(int operand) const {
+    return instructions[operand].operation == Operation::constant;
+  }
+
+  // Sums and products with a constant need no jet for the constant.
+  void simplify(Instruction& instruction) const {
+    auto& [a, b, c] = instruction.operands;
+    const auto become = [&](Operation operation, double number, int operand) {
+      instruction.operation = operation;
+      instruction.number = number;
+      instruction.operands = {operand, -1, -1};
+    };
+    const auto number = [this](int operand) { return instructions[operand].number; };
+    switch (instruction.operation) {
+      case Operation::multiply:
+        if (constant(b)) return become(Operation::scale, number(b), a);
+        if (constant(a)) return become(Operation::scale, number(a), b);
+        if (a == b) {
+          become(Operation::integer_power, 2, a);
+          instruction.index = 2;
+          return;
+        }
+        if (a > b) std::swap(a, b);
+        return;
+      case Operation::add:
+        if (constant(b)) return become(Operation::offset, number(b), a);
+        if (constant(a)) return become(Operation::offset, number(a), b);
+        if (a > b) std::swap(a, b);
+        return;
+      case Operation::subtract:
+        if (constant(b)) return become(Operation::offset, -number(b), a);
+        return;
+      default:
+        return;
+    }
+  }
+
+  int dimension_;
+  std::unordered_map<const Field::Node*, int> number_of_;
+  std::unordered_map<Key, int, KeyHash> known_;
+};
+
+// Rows freed by finished registers, by size; reused last in, first out while they are in cache.
+class RowPool {
+ public:
+  int take(int size) {
+    auto& list = free_[size];
+    if (list.empty()) return std::exchange(rows_, rows_ + size);
+    const int row = list.back();
+    list.pop_back();
+    return row;
+  }
+  void give_back(int row, int size) { free_[size].push_back(row); }
+  int rows() const { return rows_; }
+
+ private:
+  std::map<int, std::vector<int>> free_;
+  int rows_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
+                                             const std::vector<int>& orders, int dimension) {
+  Compiler compiler(dimension);
+  auto program = std::make_unique<Tape::Program>();
+  for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
+  std::vector<Instruction>& code = program->instructions = std::move(compiler.instructions);
+
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    Instruction& root = code[program->root_instructions[i]];
+    root.order = std::max(root.order, orders[i]);
+  }
+  std::vector<int> last_use(code.size(), -1);
+  for (int i = static_cast<int>(code.size()) - 1; i >= 0; --i) {
+    program->highest_order = std::max(program->highest_order, code[i].order);
+    for (int operand : code[i].operands) {
+      if (operand < 0) continue;
+      const int needed = code[i].order + (code[i].operation == Operation::partial ? 1 : 0);
+      code[operand].order = std::max(code[operand].order, needed);
+      last_use[operand] = std::max(last_use[operand], i);
+    }
+  }
+  if (program->highest_order > highest_compiled_order(dimension))
+    throw InvalidArgument("derivatives of order " + std::to_string(program->highest_order) +
+                          " are needed, but in " + std::to_string(dimension) +
+                          "D only orders up to " +
+                          std::to_string(highest_compiled_order(dimension)) + " are available");
+  constexpr int forever = 1 << 30;
+  for (int root : program->root_instructions) last_use[root] = forever;
+
+  // Results never share rows with arguments: rows are given back after the result has its own.
+  RowPool pool;
+  for (int i = 0; i < static_cast<int>(code.size()); ++i) {
+    Instruction& instruction = code[i];
+    for (int k = 0; k < 3; ++k)
+      if (instruction.operands[k] >= 0)
+        instruction.operand_rows[k] = code[instruction.operands[k]].result_row;
+    instruction.result_row = pool.take(jet_size(dimension, instruction.order));
+    for (int k = 0; k < 3; ++k) {
+      const int operand = instruction.operands[k];
+      if (operand < 0 || last_use[operand] != i) continue;
+      last_use[operand] = forever;  // an argument may occur twice
+      pool.give_back(code[operand].result_row, jet_size(dimension, code[operand].order));
+    }
+    program->kernels.push_back(
+        find_kernel(instruction.operation, dimension, instruction.order));
+  }
+  program->rows = pool.rows();
+  for (int root : program->root_instructions) program->root_rows.push_back(code[root].result_row);
+  return program;
+}
+
+}  // namespace rfm

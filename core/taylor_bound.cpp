@@ -1,0 +1,261 @@
+#include "core/taylor_bound.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rfm {
+namespace {
+
+thread_local std::array<double, 3> frame_radius{};
+
+constexpr double huge = 1e200;
+
+// What is left when the linear model is useless: the range alone.
+TaylorBound from_range(const Interval& range, bool smooth) {
+  return TaylorBound::of_range(range, smooth);
+}
+
+// Closes an operation: rounding margin, then the range from both sides.
+TaylorBound closed(TaylorBound model) {
+  const double extent = model.linear_extent();
+  const double margin = 4e-16 * (std::fabs(model.value) + extent + model.error);
+  model.error += margin;
+  const double reach = extent + model.error;
+  if (!(reach < huge) || !(std::fabs(model.value) < huge))
+    return from_range(model.range, model.smooth);
+  model.range = intersection(model.range, Interval(model.value - reach, model.value + reach));
+  return model;
+}
+
+// f(a) from f and f′ at the centre, an enclosure of f″ over the range of a, and one of f.
+TaylorBound composed(const TaylorBound& a, double f, double slope, const Interval& second,
+                     const Interval& range, bool smooth) {
+  if (a.is_zero() || (a.range.is_point() && a.linear_extent() == 0)) {
+    return from_range(range, smooth);
+  }
+  const double distance =
+      std::min(a.linear_extent() + a.error, (a.range - Interval(a.value)).magnitude());
+  const Interval remainder = Interval(0.5) * second * Interval(0, distance * distance);
+  TaylorBound model;
+  model.smooth = smooth;
+  model.range = range;
+  if (!(remainder.magnitude() < huge) || !std::isfinite(f) || !(std::fabs(slope) < huge))
+    return from_range(range, smooth);
+  model.value = f + remainder.middle();
+  for (int axis = 0; axis < 3; ++axis) model.slope[axis] = slope * a.slope[axis];
+  model.error = std::fabs(slope) * a.error + remainder.radius() + 1e-15 * std::fabs(f);
+  return closed(model);
+}
+
+}  // namespace
+
+TaylorBound::Frame::Frame(const std::array<double, 3>& radius) : previous_(frame_radius) {
+  frame_radius = radius;
+}
+TaylorBound::Frame::~Frame() { frame_radius = previous_; }
+
+TaylorBound TaylorBound::of_range(const Interval& range, bool smooth) {
+  TaylorBound model;
+  model.range = range;
+  model.smooth = smooth;
+  if (range.magnitude() < huge) {
+    model.value = range.middle();
+    model.error = range.radius() + 1e-15 * range.magnitude();
+  } else {
+    model.error = std::numeric_limits<double>::infinity();
+  }
+  return model;
+}
+
+TaylorBound TaylorBound::coordinate(const Interval& interval, int axis) {
+  TaylorBound model;
+  model.value = interval.middle();
+  model.slope[axis] = 1;
+  model.range = interval;
+  // The middle and the radius are rounded.
+  model.error = 2e-16 * interval.magnitude();
+  return model;
+}
+
+double TaylorBound::linear_extent() const {
+  return std::fabs(slope[0]) * frame_radius[0] + std::fabs(slope[1]) * frame_radius[1] +
+         std::fabs(slope[2]) * frame_radius[2];
+}
+
+TaylorBound operator+(const TaylorBound& a, const TaylorBound& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  TaylorBound sum;
+  sum.value = a.value + b.value;
+  for (int axis = 0; axis < 3; ++axis) sum.slope[axis] = a.slope[axis] + b.slope[axis];
+  sum.error = a.error + b.error;
+  sum.range = a.range + b.range;
+  sum.smooth = a.smooth && b.smooth;
+  return closed(sum);
+}
+
+TaylorBound operator-(const TaylorBound& a) {
+  TaylorBound negative = a;
+  negative.value = -a.value;
+  for (int axis = 0; axis < 3; ++axis) negative.slope[axis] = -a.slope[axis];
+  negative.range = -a.range;
+  return negative;
+}
+
+TaylorBound operator-(const TaylorBound& a, const TaylorBound& b) { return a + (-b); }
+
+TaylorBound operator*(const TaylorBound& a, const TaylorBound& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  TaylorBound product;
+  product.value = a.value * b.value;
+  for (int axis = 0; axis < 3; ++axis)
+    product.slope[axis] = a.value * b.slope[axis] + b.value * a.slope[axis];
+  const double a_extent = a.linear_extent(), b_extent = b.linear_extent();
+  product.error = (a_extent + a.error) * (b_extent + b.error) + std::fabs(a.value) * b.error +
+                  std::fabs(b.value) * a.error;
+  product.range = a.range * b.range;
+  product.smooth = a.smooth && b.smooth;
+  return closed(product);
+}
+
+TaylorBound operator/(const TaylorBound& a, const TaylorBound& b) {
+  const Interval inverse = Interval(1) / b.range;
+  const bool regular = b.range.excludes_zero();
+  const double f = 1 / b.value;
+  const TaylorBound reciprocal =
+      regular ? composed(b, f, -f * f, Interval(2) * inverse * square(inverse), inverse, b.smooth)
+              : from_range(inverse, false);
+  return a * reciprocal;
+}
+
+TaylorBound& operator+=(TaylorBound& a, const TaylorBound& b) { return a = a + b; }
+
+TaylorBound square(const TaylorBound& a) {
+  return composed(a, a.value * a.value, 2 * a.value, 2, square(a.range), a.smooth);
+}
+
+TaylorBound power(const TaylorBound& a, double e) {
+  const bool regular = a.range.low > 0;
+  const double f = std::pow(std::max(a.value, 0.0), e);
+  const Interval second =
+      regular ? Interval(e * (e - 1)) * power(a.range, e - 2) : Interval::entire();
+  return composed(a, f, e * std::pow(std::max(a.value, 0.0), e - 1), second, power(a.range, e),
+                  a.smooth && regular);
+}
+
+TaylorBound sqrt(const TaylorBound& a) {
+  // Relatively close to zero counts as touching it: rounding must not hide a kink.
+  const bool regular = a.range.low > 1e-14 * a.range.high;
+  const double f = std::sqrt(std::max(a.value, 0.0));
+  const Interval second =
+      regular ? Interval(-0.25) / (a.range * sqrt(a.range)) : Interval::entire();
+  return composed(a, f, 0.5 / f, second, sqrt(a.range), a.smooth && regular);
+}
+
+TaylorBound cbrt(const TaylorBound& a) {
+  const bool regular = a.range.excludes_zero();
+  const double f = std::cbrt(a.value);
+  const Interval root = cbrt(a.range);
+  const Interval second =
+      regular ? Interval(-2.0 / 9) * root / square(a.range) : Interval::entire();
+  return composed(a, f, f / (3 * a.value), second, root, a.smooth && regular);
+}
+
+TaylorBound exp(const TaylorBound& a) {
+  const double f = std::exp(a.value);
+  const Interval range = exp(a.range);
+  return composed(a, f, f, range, range, a.smooth);
+}
+
+TaylorBound log(const TaylorBound& a) {
+  const bool regular = a.range.low > 0;
+  const Interval second = regular ? Interval(-1) / square(a.range) : Interval::entire();
+  return composed(a, std::log(std::max(a.value, 0.0)), 1 / a.value, second, log(a.range),
+                  a.smooth && regular);
+}
+
+TaylorBound sin(const TaylorBound& a) {
+  const Interval range = sin(a.range);
+  return composed(a, std::sin(a.value), std::cos(a.value), -range, range, a.smooth);
+}
+
+TaylorBound cos(const TaylorBound& a) {
+  const Interval range = cos(a.range);
+  return composed(a, std::cos(a.value), -std::sin(a.value), -range, range, a.smooth);
+}
+
+TaylorBound tan(const TaylorBound& a) {
+  const Interval range = tan(a.range);
+  const bool regular = range.magnitude() < huge;
+  const double f = std::tan(a.value);
+  return composed(a, f, 1 + f * f, Interval(2) * range * (Interval(1) + square(range)), range,
+                  a.smooth && regular);
+}
+
+TaylorBound asin(const TaylorBound& a) {
+  const bool regular = a.range.low > -1 && a.range.high < 1;
+  const Interval rest = Interval(1) - square(a.range);
+  const Interval second = regular ? a.range / (rest * sqrt(rest)) : Interval::entire();
+  return composed(a, std::asin(std::clamp(a.value, -1.0, 1.0)),
+                  1 / std::sqrt(1 - a.value * a.value), second, asin(a.range),
+                  a.smooth && regular);
+}
+
+TaylorBound acos(const TaylorBound& a) {
+  return TaylorBound(std::numbers::pi / 2) - asin(a);
+}
+
+TaylorBound atan(const TaylorBound& a) {
+  const Interval rest = Interval(1) + square(a.range);
+  return composed(a, std::atan(a.value), 1 / (1 + a.value * a.value),
+                  Interval(-2) * a.range / square(rest), atan(a.range), a.smooth);
+}
+
+TaylorBound atan2(const TaylorBound& y, const TaylorBound& x) {
+  const Interval range = atan2(y.range, x.range);
+  const bool regular = !(x.range.low <= 0 && y.range.contains(0));
+  return from_range(range, y.smooth && x.smooth && regular);
+}
+
+TaylorBound sinh(const TaylorBound& a) {
+  const Interval range = sinh(a.range);
+  return composed(a, std::sinh(a.value), std::cosh(a.value), range, range, a.smooth);
+}
+
+TaylorBound cosh(const TaylorBound& a) {
+  const Interval range = cosh(a.range);
+  return composed(a, std::cosh(a.value), std::sinh(a.value), range, range, a.smooth);
+}
+
+TaylorBound tanh(const TaylorBound& a) {
+  const Interval range = tanh(a.range);
+  const double f = std::tanh(a.value);
+  return composed(a, f, 1 - f * f, Interval(-2) * range * (Interval(1) - square(range)), range,
+                  a.smooth);
+}
+
+TaylorBound asinh(const TaylorBound& a) {
+  const Interval rest = Interval(1) + square(a.range);
+  return composed(a, std::asinh(a.value), 1 / std::sqrt(1 + a.value * a.value),
+                  -a.range / (rest * sqrt(rest)), asinh(a.range), a.smooth);
+}
+
+TaylorBound erf(const TaylorBound& a) {
+  const double scale = 2 * std::numbers::inv_sqrtpi;
+  const Interval second = Interval(-2 * scale) * a.range * exp(-square(a.range));
+  return composed(a, std::erf(a.value), scale * std::exp(-a.value * a.value), second, erf(a.range),
+                  a.smooth);
+}
+
+TaylorBound floor(const TaylorBound& a) {
+  const Interval range = floor(a.range);
+  return from_range(range, a.smooth && range.is_point());
+}
+
+TaylorBound select(Truth condition, const TaylorBound& yes, const TaylorBound& no) {
+  if (condition == Truth::yes) return yes;
+  if (condition == Truth::no) return no;
+  return from_range(hull(yes.range, no.range), false);
+}
+
+}  // namespace rfm

@@ -1,0 +1,180 @@
+#include "problems/boundary_conditions.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/boundary_piece.hpp"
+#include "problems/boundary_coverage.hpp"
+#include "problems/result_scope.hpp"
+#include "solution_structures/transfinite.hpp"
+
+namespace rfm {
+namespace {
+
+std::vector<std::string> data_keys(Condition::Kind kind) {
+  switch (kind) {
+    case Condition::Kind::value:
+      return {"value"};
+    case Condition::Kind::flux:
+      return {"flux"};
+    case Condition::Kind::convection:
+      return {"coefficient", "ambient"};
+    case Condition::Kind::robin:
+      return {"a", "b", "c"};
+  }
+  return {};
+}
+
+// Where `where` ≥ 0 and no claim of higher priority holds.
+std::optional<Field> exclusive(const std::optional<Field>& where,
+                               const std::vector<Field>& earlier) {
+  std::optional<Field> result = where;
+  for (const Field& claimed : earlier) result = result ? min(*result, -claimed) : -claimed;
+  return result;
+}
+
+// The pieces that the structure prescribes, as a set of primitives.
+using Primitives = std::set<int>;
+
+// The conjuncts of the domain's expression all of whose primitives are in `prescribed`, joined.
+struct PrescribedConjuncts {
+  BooleanExpression expression = BooleanExpression::constant(true);
+  Primitives covered;
+};
+
+PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region,
+                                         const Primitives& prescribed) {
+  PrescribedConjuncts result;
+  for (const BooleanExpression& conjunct :
+       conjuncts(region.region().expression().negations_at_leaves())) {
+    Primitives used;
+    for (const auto& node : conjunct.nodes())
+      if (node.kind == BooleanExpression::Kind::variable) used.insert(node.first);
+    if (!std::ranges::includes(prescribed, used)) continue;
+    result.expression = result.expression & conjunct;
+    result.covered.insert(used.begin(), used.end());
+  }
+  return result;
+}
+
+// A function that vanishes on the pieces of `primitives` (with their `where`) and nowhere else.
+Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
+                    const Box& bounds, CombineRule rule) {
+  Primitives whole;
+  for (const PieceCondition& piece : pieces)
+    if (!piece.where) whole.insert(piece.primitive);
+  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, whole);
+  Weight result = weight(conjuncts.expression, region, bounds, rule);
+  for (const PieceCondition& piece : pieces) {
+    if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
+    const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
+    const Field function = piece.where ? trim(part.function, *piece.where) : part.function;
+    result.function = result.function * function;
+    result.formula += (result.formula.empty() ? "" : " * ") + std::string("trim(omega(") +
+                      piece.name + "))";
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) {
+  const Field& level = region.region().primitives()[primitive]->level;
+  const bool subtracted =
+      region.region().expression().restricted(primitive, true).is_constant(false);
+  std::vector<Field> normal = gradient(level, region.dimension());
+  Field square = 0.0;
+  for (const Field& component : normal) square = square + component * component;
+  for (Field& component : normal)
+    component = (subtracted ? component : -component) / sqrt(square);
+  return normal;
+}
+
+std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
+                                             const std::vector<int>& bounding_primitives) {
+  std::vector<std::string> names;
+  for (int primitive : bounding_primitives)
+    names.push_back(region.region().primitives()[primitive]->name);
+  check_boundary_coverage(problem, names);
+  std::vector<PieceCondition> result;
+  const std::vector<PieceConditions> assigned = assign_conditions(problem, names);
+  for (std::size_t i = 0; i < assigned.size(); ++i) {
+    ExpressionScope scope = problem.scope;
+    define_normal(scope, outward_normal(bounding_primitives[i], region));
+    std::vector<Field> earlier;
+    for (const PieceClaim& claim : assigned[i].claims) {
+      const Condition& condition = problem.conditions[claim.condition];
+      PieceCondition piece;
+      piece.primitive = bounding_primitives[i];
+      piece.name = names[i];
+      piece.kind = condition.kind;
+      piece.enforcement = condition.enforcement;
+      piece.condition = claim.condition;
+      piece.where = exclusive(claim.where, earlier);
+      if (claim.where) earlier.push_back(*claim.where);
+      for (const std::string& key : data_keys(condition.kind))
+        piece.data.push_back(condition.data.at(key).field(scope));
+      result.push_back(std::move(piece));
+    }
+  }
+  return result;
+}
+
+DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
+                             const RegionEvaluator& region, const Box& bounds, CombineRule rule,
+                             const std::vector<bool>& data_is_regular) {
+  DirichletPlan plan;
+  using Enforcement = Condition::Enforcement;
+  Primitives candidates;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const PieceCondition& piece = conditions[i];
+    if (piece.kind == Condition::Kind::value && !piece.where && data_is_regular[i] &&
+        piece.enforcement != Enforcement::weak)
+      candidates.insert(piece.primitive);
+  }
+  const Primitives covered = prescribed_conjuncts(region, candidates).covered;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const PieceCondition& piece = conditions[i];
+    if (piece.kind != Condition::Kind::value) continue;
+    const bool smooth = covered.contains(piece.primitive) && !piece.where && data_is_regular[i];
+    if (piece.enforcement != Enforcement::weak &&
+        (smooth || piece.enforcement == Enforcement::structure)) {
+      plan.by_structure.push_back(piece);
+      continue;
+    }
+    plan.weakly.push_back(piece);
+    if (piece.enforcement == Enforcement::weak) continue;
+    plan.remarks.push_back(
+        "value at " + piece.name + " is enforced weakly: " +
+        (!data_is_regular[i] ? "its data are not defined in the whole domain"
+         : piece.where
+             ? "it covers a part of its piece, where a structure would lose order"
+             : "it shares a corner of the boundary's expression with another kind of condition"));
+  }
+  if (plan.by_structure.empty()) return plan;
+  plan.weight = vanishing_on(plan.by_structure, region, bounds, rule);
+  // Conditions of one entry of the list share their data; each entry is one set of the interpolant,
+  // and entries with the same constant are one.
+  std::vector<std::vector<PieceCondition>> groups;
+  for (const PieceCondition& piece : plan.by_structure) {
+    const auto same = [&](const std::vector<PieceCondition>& group) {
+      const Field &a = group[0].data[0], &b = piece.data[0];
+      return a.same_as(b) || (a.is_constant() && b.is_constant(a.constant()));
+    };
+    const auto group = std::ranges::find_if(groups, same);
+    if (group == groups.end())
+      groups.push_back({piece});
+    else
+      group->push_back(piece);
+  }
+  std::vector<TransfiniteDatum> data;
+  for (const auto& group : groups)
+    data.push_back({group[0].data[0],
+                    groups.size() == 1 ? Field(1.0)
+                                       : vanishing_on(group, region, bounds, rule).function,
+                    1});
+  plan.data = transfinite_interpolant(data);
+  return plan;
+}
+
+}  // namespace rfm

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/weight.hpp"
+#include "problems/problem.hpp"
+
+namespace rfm {
+
+/// A condition on one primitive's piece of the boundary, or on the part of it where `where` ≥ 0,
+/// with its data as fields.
+struct PieceCondition {
+  int primitive = 0;
+  std::string name;  ///< of the piece
+  Condition::Kind kind = Condition::Kind::value;
+  Condition::Enforcement enforcement = Condition::Enforcement::automatic;
+  std::optional<Field> where;
+  /// Value; flux; coefficient h and ambient; a, b, c: in the order of the contract.
+  std::vector<Field> data;
+  /// Position in the problem's list; conditions of one entry share their data as written.
+  int condition = 0;
+};
+
+/// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, or its opposite where the
+/// primitive is subtracted.
+std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);
+
+/// The conditions of a problem, piece by piece, for the primitives that bound the domain. Where
+/// several claim parts of a piece, their `where` exclude each other by priority. Throws
+/// `ProblemFileErrors` for pieces without a condition and conditions without a piece.
+std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
+                                             const std::vector<int>& bounding_primitives);
+
+/// How the value conditions are met: u = g + ω Ψ on the pieces enforced by structure, boundary
+/// integrals (Nitsche) on the others.
+struct DirichletPlan {
+  Field data = 0.0;             ///< g
+  Weight weight{1.0, ""};       ///< ω; 1 where nothing is enforced by structure
+  std::vector<PieceCondition> by_structure;
+  std::vector<PieceCondition> weakly;
+  /// One line for each condition that is enforced weakly without having asked for it.
+  std::vector<std::string> remarks;
+};
+
+/// Divides the value conditions. By structure: whole pieces whose conjunct of the domain's
+/// expression is prescribed on all its pieces; weakly: parts of pieces (the structure loses order at
+/// their ends: u/ω is singular there), pieces of a conjunct prescribed in part, data that are
+/// undefined somewhere in the domain, and what the file asks for. `enforce: structure` forces the
+/// rest, by trimmed functions.
+DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
+                             const RegionEvaluator& region, const Box& bounds, CombineRule rule,
+                             const std::vector<bool>& data_is_regular);
+
+}  // namespace rfm

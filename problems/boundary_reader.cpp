@@ -1,0 +1,185 @@
+#include "problems/boundary_reader.hpp"
+
+#include <algorithm>
+
+#include "core/nearest_name.hpp"
+#include "problems/reserved_names.hpp"
+#include "problems/result_scope.hpp"
+
+namespace rfm {
+namespace {
+
+bool is_piece_of(const Region& region, const std::string& name) {
+  return std::ranges::any_of(region.primitives(),
+                             [&](const auto& primitive) { return primitive->name == name; });
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> BoundaryReader::pieces_of(const std::string& name) const {
+  std::vector<std::string> pieces;
+  const auto shape = shapes_.shapes().find(name);
+  for (const auto& primitive : shapes_.domain()->primitives())
+    if (primitive->name == name ||
+        (shape != shapes_.shapes().end() && is_piece_of(shape->second, primitive->name)))
+      pieces.push_back(primitive->name);
+  return pieces;
+}
+
+BoundaryTarget BoundaryReader::target(const std::string& name, const Place& place) {
+  if (const auto region = problem_.regions.find(name); region != problem_.regions.end()) {
+    used_regions_.insert(name);
+    BoundaryTarget target = region->second;
+    target.place = place;
+    return target;
+  }
+  BoundaryTarget target{name, BoundaryTarget::Kind::pieces, {}, {}, place};
+  if (name == "rest") {
+    target.kind = BoundaryTarget::Kind::rest;
+    return target;
+  }
+  if (!shapes_.domain()) return target;  // reported; which pieces there are is unknown
+  if (name == "all") {
+    target.kind = BoundaryTarget::Kind::all;
+    for (const auto& primitive : shapes_.domain()->primitives())
+      target.pieces.push_back(primitive->name);
+    return target;
+  }
+  target.pieces = pieces_of(name);
+  if (!target.pieces.empty()) return target;
+
+  const auto refuse = [&](const std::string& message) -> InputError {
+    return InputError(message, 0, name.size());
+  };
+  const std::string shape_name = name.substr(0, name.find('.'));
+  const auto shape = shapes_.shapes().find(shape_name);
+  if (shape == shapes_.shapes().end()) {
+    std::vector<std::string> known = {"all", "rest"};
+    for (const auto& [region, meaning] : problem_.regions) known.push_back(region);
+    for (const auto& primitive : shapes_.domain()->primitives()) known.push_back(primitive->name);
+    for (const auto& [other, region] : shapes_.shapes()) known.push_back(other);
+    std::string advice = did_you_mean(name, known);
+    throw refuse("unknown boundary part '" + name + "'" + advice);
+  }
+  if (shape_name != name && !is_piece_of(shape->second, name)) {
+    std::vector<std::string> sides;
+    for (const auto& primitive : shape->second.primitives())
+      if (primitive->name.starts_with(shape_name + "."))
+        sides.push_back(primitive->name.substr(shape_name.size() + 1));
+    const std::string side = name.substr(shape_name.size() + 1);
+    throw refuse("'" + shape_name + "' has no side '" + side + "'" + did_you_mean(side, sides) +
+                 (sides.empty() ? "" : "; its sides: " + joined(sides)));
+  }
+  throw refuse("'" + name + "' is not part of the boundary: the domain does not contain it");
+}
+
+std::vector<BoundaryTarget> BoundaryReader::targets(const DocumentNode& node) {
+  std::vector<BoundaryTarget> targets;
+  const auto add = [&](const DocumentNode& name) {
+    if (!values_.fits(name)) return;
+    for (const BoundaryTarget& earlier : targets)
+      if (earlier.name == name.text)
+        return values_.mistakes.add("'" + name.text + "' is named twice", name.place);
+    if (auto found = values_.guarded<BoundaryTarget>(
+            name, [&] { return target(name.text, name.place); }))
+      targets.push_back(std::move(*found));
+  };
+  if (node.is_scalar()) add(node);
+  for (const DocumentNode& item : node.items) add(item);
+  if (node.is_list() && node.items.empty())
+    values_.mistakes.add("expected the name of a part of the boundary", node.place);
+  return targets;
+}
+
+void BoundaryReader::read_regions() {
+  const DocumentNode* regions = values_.find(root_, "regions");
+  if (!regions) return;
+  for (const DocumentNode::Entry& entry : regions->entries) read_region(entry);
+}
+
+void BoundaryReader::read_region(const DocumentNode::Entry& entry) {
+  std::string objection = objection_to_name(entry.key);
+  if (objection.empty() && shapes_.shapes().contains(entry.key))
+    objection = "the name '" + entry.key + "' is already that of a shape";
+  if (!objection.empty()) return values_.mistakes.add(objection, entry.key_place);
+  BoundaryTarget region{entry.key, BoundaryTarget::Kind::pieces, {}, {}, entry.key_place};
+  const DocumentNode* of = entry.value.is_map() ? values_.find(entry.value, "of") : &entry.value;
+  const bool is_sound = values_.fits(entry.value) && of;
+  for (BoundaryTarget& part : is_sound ? targets(*of) : std::vector<BoundaryTarget>{}) {
+    if (part.kind == BoundaryTarget::Kind::rest || part.where)
+      values_.mistakes.add("a region is made of shapes and sides, not of '" + part.name + "'",
+                           part.place);
+    region.pieces.insert(region.pieces.end(), part.pieces.begin(), part.pieces.end());
+    const std::string shape = part.name.substr(0, part.name.find('.'));
+    if (shapes_.shapes().contains(shape)) shapes_.mark_used(shape);
+  }
+  if (const DocumentNode* where = is_sound ? values_.find(entry.value, "where") : nullptr)
+    region.where = values_.field(*where);
+  problem_.regions.emplace(entry.key, std::move(region));
+}
+
+void BoundaryReader::read_conditions() {
+  const DocumentNode* conditions = values_.find(root_, "conditions");
+  if (!conditions) return;
+  problem_.conditions_place = conditions->place;
+  for (const DocumentNode::Entry& entry : root_.entries)
+    if (&entry.value == conditions) problem_.conditions_place = entry.key_place;
+  for (const DocumentNode& item : conditions->items)
+    if (values_.fits(item)) read_condition(item);
+}
+
+void BoundaryReader::read_condition(const DocumentNode& node) {
+  Condition condition;
+  condition.place = node.place;
+  if (const DocumentNode* at = values_.find(node, "at")) condition.targets = targets(*at);
+  if (const DocumentNode* priority = values_.find(node, "priority"))
+    condition.priority = values_.integer(*priority).value_or(0);
+  if (const DocumentNode* enforce = values_.find(node, "enforce"))
+    condition.enforcement = enforce->text == "weak" ? Condition::Enforcement::weak
+                                                    : Condition::Enforcement::structure;
+  ExpressionScope scope = values_.scope;
+  define_normal(scope, stand_in_normal(values_.dimension));
+  read_data(node, scope, condition);
+  problem_.conditions.push_back(std::move(condition));
+}
+
+void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& scope,
+                               Condition& condition) {
+  const auto add = [&](const DocumentNode& map, const char* key) {
+    const DocumentNode* value = values_.find(map, key);
+    if (!value) return;
+    if (auto expression = values_.deferred(*value, scope))
+      condition.data.emplace(key, std::move(*expression));
+  };
+  if (values_.find(node, "value")) {
+    condition.kind = Condition::Kind::value;
+    add(node, "value");
+  } else if (values_.find(node, "flux")) {
+    condition.kind = Condition::Kind::flux;
+    add(node, "flux");
+  } else if (const DocumentNode* convection = values_.find(node, "convection")) {
+    condition.kind = Condition::Kind::convection;
+    for (const char* key : {"coefficient", "ambient"}) add(*convection, key);
+  } else if (const DocumentNode* robin = values_.find(node, "robin")) {
+    condition.kind = Condition::Kind::robin;
+    for (const char* key : {"a", "b", "c"}) add(*robin, key);
+  }
+}
+
+void BoundaryReader::report_unused() {
+  const DocumentNode* regions = values_.find(root_, "regions");
+  if (!regions) return;
+  const bool is_sound = values_.mistakes.empty();
+  for (const DocumentNode::Entry& entry : regions->entries)
+    if (problem_.regions.contains(entry.key) && !used_regions_.contains(entry.key) &&
+        (is_sound || !names_word(root_, entry.key)))
+      values_.mistakes.add("the region '" + entry.key + "' is not used", entry.key_place);
+}
+
+}  // namespace rfm

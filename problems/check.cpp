@@ -1,0 +1,50 @@
+#include "problems/check.hpp"
+
+#include "problems/reader.hpp"
+#include "problems/run_log.hpp"
+#include "problems/scalar_problem.hpp"
+#include "solvers/assembly.hpp"
+
+namespace rfm {
+namespace {
+
+const char* kind_name(Condition::Kind kind) {
+  switch (kind) {
+    case Condition::Kind::value:
+      return "value";
+    case Condition::Kind::flux:
+      return "flux";
+    case Condition::Kind::convection:
+      return "convection";
+    default:
+      return "robin";
+  }
+}
+
+}  // namespace
+
+int check_problem(const std::string& file, const std::vector<std::string>& overrides) {
+  const Problem problem = read_problem(file, overrides);
+  const ScalarProblem scalar(problem);
+  const Grid grid = scalar.grid();
+  const DomainRule rule = scalar.rule(grid);
+  RunLog log(false);
+  const Box& box = scalar.bounds();
+  log.line("{}: correct", file);
+  for (int axis = 0; axis < box.dimension; ++axis)
+    log.line("{}: {:.12g} to {:.12g}", "xyz"[axis], box.low[axis], box.high[axis]);
+  log.line("measure of the domain {:.12g}, of its boundary {:.12g}", rule.measure(),
+           rule.boundary_measure());
+  for (const PieceCondition& condition : scalar.conditions())
+    log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),
+             condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));
+  if (!scalar.dirichlet().by_structure.empty())
+    log.line("structure: u = g + omega psi, omega = {}", scalar.dirichlet().weight.formula);
+  for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
+  const TensorProductSpace space(grid, problem.discretization.degree, cells_in_region(rule));
+  log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
+           rule.report().cut_cells, space.size());
+  return 0;
+}
+
+}  // namespace rfm

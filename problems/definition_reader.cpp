@@ -1,0 +1,234 @@
+#include "problems/definition_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/expression_tokens.hpp"
+#include "problems/reserved_names.hpp"
+#include "problems/result_scope.hpp"
+
+namespace rfm {
+namespace {
+
+/// A parameter, field or function of the file.
+struct Definition {
+  enum class Kind { parameter, field, function };
+  Kind kind;
+  std::string name;
+  std::vector<std::string> arguments;
+  const DocumentNode::Entry* entry;
+  std::optional<Expression> formula;  ///< nothing where it has a mistake
+
+  bool hides(const std::string& used) const {
+    return std::ranges::find(arguments, used) != arguments.end();
+  }
+};
+
+/// `f(a, b)` → name and arguments. Throws `InputError`.
+void parse_head(const std::string& head, std::string& name, std::vector<std::string>& arguments) {
+  const auto take_name = [](Tokenizer& tokens, const char* what) {
+    const Token token = tokens.take();
+    if (token.kind != Token::Kind::name || !is_name(token.text))
+      throw InputError(std::string("expected ") + what + " but found " + token.quoted(),
+                       token.offset, token.length);
+    return std::string(token.text);
+  };
+  Tokenizer tokens(head);
+  name = take_name(tokens, "the name of a function");
+  if (!tokens.take_if("("))
+    throw InputError("a function is defined as " + name + "(a, b): formula", tokens.peek().offset);
+  do arguments.push_back(take_name(tokens, "the name of an argument"));
+  while (tokens.take_if(","));
+  const bool is_closed = tokens.take_if(")");
+  if (!is_closed || tokens.peek().kind != Token::Kind::end)
+    throw InputError(std::string("expected ") + (is_closed ? "the end" : "',' or ')'") +
+                         " but found " + tokens.peek().quoted(),
+                     tokens.peek().offset, tokens.peek().length);
+}
+
+class DefinitionReader {
+ public:
+  DefinitionReader(const DocumentNode& root, ValueReader& values, Problem& problem)
+      : root_(root), values_(values), problem_(problem) {}
+
+  void read() {
+    collect("parameters", Definition::Kind::parameter);
+    collect("fields", Definition::Kind::field);
+    collect("functions", Definition::Kind::function);
+    refuse_repeated_names();
+    refuse_cycles();
+    define_functions(values_.number_scope);
+    define_functions(values_.scope);
+    for (const Definition& definition : definitions_)
+      if (definition.kind == Definition::Kind::field) define_field(definition);
+    for (const Definition* definition : order_)
+      if (definition->kind == Definition::Kind::parameter) define_parameter(*definition);
+  }
+
+ private:
+  void collect(std::string_view key, Definition::Kind kind) {
+    const DocumentNode* map = values_.find(root_, key);
+    if (!map) return;
+    std::set<std::string> seen;
+    for (const DocumentNode::Entry& entry : map->entries) {
+      if (!seen.insert(entry.key).second) continue;  // reported as a duplicate
+      Definition definition{kind, entry.key, {}, &entry, {}};
+      if (kind == Definition::Kind::function && !read_head(definition)) continue;
+      const std::string objection = objection_to_name(definition.name);
+      if (!objection.empty()) {
+        values_.mistakes.add(objection, entry.key_place);
+        continue;
+      }
+      read_formula(definition);
+      definitions_.push_back(std::move(definition));
+    }
+  }
+
+  bool read_head(Definition& definition) {
+    DocumentNode head;
+    head.text = definition.entry->key;
+    head.place = definition.entry->key_place;
+    const auto parsed = values_.guarded<bool>(head, [&] {
+      parse_head(head.text, definition.name, definition.arguments);
+      return true;
+    });
+    return parsed.has_value();
+  }
+
+  void read_formula(Definition& definition) {
+    const DocumentNode& node = definition.entry->value;
+    if (!node.is_scalar()) {
+      if (definition.kind == Definition::Kind::function)
+        values_.mistakes.add("expected a formula for '" + definition.entry->key + "'", node.place);
+      return;
+    }
+    definition.formula = values_.guarded<Expression>(node, [&] { return Expression(node.text); });
+  }
+
+  void refuse_repeated_names() {
+    for (const Definition& definition : definitions_) {
+      const auto [known, is_new] = index_.emplace(definition.name, &definition);
+      if (!is_new)
+        values_.mistakes.add("the name '" + definition.name + "' is already taken",
+                             definition.entry->key_place,
+                             {{"first given here", known->second->entry->key_place}});
+    }
+  }
+
+  // Depth-first search with a stack of its own: chains of definitions may be long.
+  void refuse_cycles() {
+    std::set<const Definition*> done;
+    for (const Definition& start : definitions_) {
+      struct Visit {
+        const Definition* definition;
+        std::vector<const Definition*> next;
+      };
+      std::vector<Visit> path;
+      const auto enter = [&](const Definition* definition) {
+        path.push_back({definition, used_by(*definition)});
+      };
+      if (!done.contains(&start)) enter(&start);
+      while (!path.empty()) {
+        Visit& visit = path.back();
+        if (visit.next.empty()) {
+          done.insert(visit.definition);
+          order_.push_back(visit.definition);
+          path.pop_back();
+          continue;
+        }
+        const Definition* next = visit.next.back();
+        visit.next.pop_back();
+        const auto earlier = std::ranges::find(path, next, &Visit::definition);
+        if (earlier != path.end()) {
+          std::string cycle;
+          for (auto step = earlier; step != path.end(); ++step) {
+            cycle += step->definition->name + " -> ";
+            broken_.insert(step->definition);
+          }
+          values_.mistakes.add("a definition that uses itself: " + cycle + next->name,
+                               next->entry->key_place);
+        } else if (!done.contains(next)) {
+          enter(next);
+        }
+      }
+    }
+  }
+
+  std::vector<const Definition*> used_by(const Definition& definition) const {
+    std::vector<const Definition*> used;
+    if (!definition.formula) return used;
+    for (const Expression::Use& use : definition.formula->uses()) {
+      const auto found = index_.find(use.name);
+      if (found != index_.end() && !definition.hides(use.name)) used.push_back(found->second);
+    }
+    return used;
+  }
+
+  bool is_sound(const Definition& definition) const {
+    return definition.formula && !broken_.contains(&definition);
+  }
+
+  // A definition with a mistake stands for 1, so that its users are not reported as well.
+  void define_functions(ExpressionScope& scope) {
+    for (const Definition& definition : definitions_)
+      if (definition.kind == Definition::Kind::function)
+        scope.define_function(definition.name, definition.arguments,
+                              is_sound(definition) ? *definition.formula : Expression("1"));
+  }
+
+  void define_parameter(const Definition& definition) {
+    std::optional<double> value;
+    if (is_sound(definition)) value = values_.number(definition.entry->value);
+    values_.number_scope.define(definition.name, value.value_or(1.0));
+    values_.scope.define(definition.name, value.value_or(1.0));
+    problem_.parameters.emplace(definition.name, value.value_or(1.0));
+  }
+
+  void define_field(const Definition& definition) {
+    values_.number_scope.refuse(definition.name, "is a field: a number is needed here");
+    values_.scope.define(definition.name,
+                         is_sound(definition) ? *definition.formula : Expression("1"));
+    problem_.fields.push_back(definition.name);
+  }
+
+  const DocumentNode& root_;
+  ValueReader& values_;
+  Problem& problem_;
+  std::vector<Definition> definitions_;
+  std::map<std::string, const Definition*> index_;
+  std::set<const Definition*> broken_;
+  std::vector<const Definition*> order_;  // used before users
+};
+
+}  // namespace
+
+void read_definitions(const DocumentNode& root, ValueReader& values, Problem& problem) {
+  DefinitionReader(root, values, problem).read();
+}
+
+void check_definitions(const DocumentNode& root, const ValueReader& values) {
+  ExpressionScope permissive = values.scope;
+  const ScalarResults results = stand_in_results(values.dimension);
+  define_results(permissive, results);
+  define_normal(permissive, stand_in_normal(values.dimension));
+  define_boundary_results(permissive, results, stand_in_normal(values.dimension));
+  if (const DocumentNode* fields = values.find(root, "fields"))
+    for (const DocumentNode::Entry& entry : fields->entries)
+      if (values.scope.has_name(entry.key)) values.deferred(entry.value, permissive);
+  const DocumentNode* functions = values.find(root, "functions");
+  if (!functions) return;
+  for (const DocumentNode::Entry& entry : functions->entries) {
+    if (!entry.value.is_scalar()) continue;
+    values.guarded<bool>(entry.value, [&] {
+      ExpressionScope inside = permissive;
+      std::string name;
+      std::vector<std::string> arguments;
+      parse_head(entry.key, name, arguments);
+      for (const std::string& argument : arguments) inside.define(argument, x_coordinate());
+      evaluate(Expression(entry.value.text), inside);
+      return true;
+    });
+  }
+}
+
+}  // namespace rfm

@@ -1,0 +1,140 @@
+#include "problems/physics_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace rfm {
+namespace {
+
+constexpr std::array<std::string_view, 6> coefficient_keys = {
+    "diffusivity", "reaction", "source", "conductivity", "density", "heat_capacity"};
+
+class PhysicsReader {
+ public:
+  PhysicsReader(ValueReader& values, ShapeReader& shapes, Physics& physics)
+      : values_(values), shapes_(shapes), physics_(physics) {}
+
+  void read(const DocumentNode& map) {
+    const DocumentNode* type = values_.find(map, "type");
+    physics_.type = type && type->text == "heat" ? PhysicsType::heat : PhysicsType::poisson;
+    read_coefficients(map, physics_.coefficients);
+    const DocumentNode* materials = values_.find(map, "materials");
+    if (!materials) return;
+    for (const DocumentNode& item : materials->items)
+      if (values_.fits(item)) read_material(item);
+    check_materials(*materials);
+  }
+
+ private:
+  void read_coefficients(const DocumentNode& map,
+                         std::map<std::string, PhysicalCoefficient>& coefficients) {
+    for (const std::string_view key : coefficient_keys)
+      if (const DocumentNode* node = values_.find(map, key))
+        if (auto coefficient = read_coefficient(*node))
+          coefficients.emplace(key, std::move(*coefficient));
+  }
+
+  std::optional<PhysicalCoefficient> read_coefficient(const DocumentNode& node) {
+    PhysicalCoefficient coefficient;
+    coefficient.place = node.place;
+    if (node.is_list()) return read_matrix(node, std::move(coefficient));
+    const std::optional<Field> field = values_.field(node);
+    if (!field) return std::nullopt;
+    coefficient.entries = {*field};
+    return coefficient;
+  }
+
+  std::optional<PhysicalCoefficient> read_matrix(const DocumentNode& node, PhysicalCoefficient coefficient) {
+    const auto size = static_cast<std::size_t>(values_.dimension);
+    const bool is_square =
+        node.items.size() == size &&
+        std::ranges::all_of(node.items, [&](const DocumentNode& row) {
+          return row.is_list() && row.items.size() == size &&
+                 std::ranges::all_of(row.items, &DocumentNode::is_scalar);
+        });
+    if (!is_square) {
+      values_.mistakes.add("expected a matrix of " + std::to_string(size) + " rows of " +
+                               std::to_string(size) + " entries",
+                           node.place);
+      return std::nullopt;
+    }
+    coefficient.entries.clear();
+    coefficient.is_matrix = true;
+    for (const DocumentNode& row : node.items)
+      for (const DocumentNode& entry : row.items) {
+        const auto field = values_.guarded<Field>(
+            entry, [&] { return to_field(Expression(entry.text), values_.scope); });
+        coefficient.entries.push_back(field.value_or(1.0));
+      }
+    return check_symmetry(node, coefficient) ? std::optional(std::move(coefficient))
+                                             : std::nullopt;
+  }
+
+  // Only equal numbers or equal texts are symmetric: whether two formulas are equal functions
+  // cannot be decided.
+  bool check_symmetry(const DocumentNode& node, const PhysicalCoefficient& coefficient) {
+    const std::size_t size = node.items.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const DocumentNode& entry = node.items[i].items[j];
+        const Field& a = coefficient.entries[i * size + j];
+        const Field& b = coefficient.entries[j * size + i];
+        const bool equal_numbers =
+            a.is_constant() && b.is_constant() && a.constant() == b.constant();
+        if (equal_numbers || entry.text == node.items[j].items[i].text) continue;
+        values_.mistakes.add("the matrix must be symmetric: this entry differs from that of row " +
+                                 std::to_string(j + 1) + ", column " + std::to_string(i + 1),
+                             entry.place);
+        return false;
+      }
+    return true;
+  }
+
+  void read_material(const DocumentNode& node) {
+    Material material;
+    material.place = node.place;
+    const DocumentNode* in = values_.find(node, "in");
+    if (in) {
+      material.text = in->text;
+      material.place = in->place;
+      if (in->text != "rest") {
+        material.region = shapes_.region(*in);
+        if (!material.region) return;
+      }
+    }
+    read_coefficients(node, material.coefficients);
+    physics_.materials.push_back(std::move(material));
+  }
+
+  void check_materials(const DocumentNode& node) {
+    const Material* rest = nullptr;
+    for (const Material& material : physics_.materials) {
+      if (material.region) continue;
+      if (rest)
+        values_.mistakes.add("'rest' is given twice", material.place,
+                             {{"first given here", rest->place}});
+      rest = &material;
+    }
+    if (physics_.type != PhysicsType::heat || physics_.coefficients.contains("conductivity"))
+      return;
+    for (const DocumentNode& item : node.items)
+      if (values_.fits(item) && !item.find("conductivity"))
+        values_.mistakes.add(
+            "missing key 'conductivity': neither this material nor physics gives it", item.place);
+  }
+
+  ValueReader& values_;
+  ShapeReader& shapes_;
+  Physics& physics_;
+};
+
+}  // namespace
+
+void read_physics(const DocumentNode& root, ValueReader& values, ShapeReader& shapes,
+                  Problem& problem) {
+  if (const DocumentNode* map = values.find(root, "physics"))
+    PhysicsReader(values, shapes, problem.physics).read(*map);
+}
+
+}  // namespace rfm

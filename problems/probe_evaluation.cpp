@@ -1,0 +1,172 @@
+#include "problems/probe_evaluation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/r_functions.hpp"
+#include "core/tape.hpp"
+#include "problems/extremes.hpp"
+#include "problems/result_scope.hpp"
+#include "solvers/integrate.hpp"
+
+namespace rfm {
+namespace {
+
+class ProbeEvaluator {
+ public:
+  ProbeEvaluator(const ScalarProblem& problem, const ScalarSolution& solution)
+      : problem_(problem), solution_(solution), scope_(problem.problem().scope) {
+    results_ = {solution.u, solution.flux, problem.problem().dimension};
+    define_results(scope_, results_);
+  }
+
+  ProbeResult evaluate(const Probe& probe) const {
+    switch (probe.kind) {
+      case Probe::Kind::point:
+        return at_point(probe);
+      case Probe::Kind::line:
+        return along_line(probe);
+      case Probe::Kind::integral:
+      case Probe::Kind::average:
+        return integrated(probe);
+      default:
+        return extreme(probe);
+    }
+  }
+
+ private:
+  ProbeResult at_point(const Probe& probe) const {
+    const Point& point = probe.points[0];
+    if (!problem_.region().contains(point, 1e-9 * problem_.bounds().longest_side()))
+      throw ProblemFileErrors({Mistake{
+          fmt::format("the point of probe '{}' is outside the domain", probe.name), probe.place}});
+    ProbeResult result{&probe, values_at(probe, point), {}, {}, {}};
+    return result;
+  }
+
+  ProbeResult along_line(const Probe& probe) const {
+    ProbeResult result{&probe, {}, {}, {}, {}};
+    const Point &from = probe.points[0], &to = probe.points[1];
+    for (int i = 0; i < probe.point_count; ++i) {
+      const double t = probe.point_count == 1 ? 0.0 : double(i) / (probe.point_count - 1);
+      Point point{};
+      for (int axis = 0; axis < 3; ++axis) point[axis] = from[axis] + t * (to[axis] - from[axis]);
+      // A line may leave the domain and come back: points outside have no values.
+      if (!problem_.region().contains(point, 1e-9 * problem_.bounds().longest_side())) continue;
+      result.line_points.push_back(point);
+      result.line_values.push_back(values_at(probe, point));
+    }
+    return result;
+  }
+
+  std::vector<ProbeValue> values_at(const Probe& probe, const Point& point) const {
+    std::vector<ProbeValue> values;
+    for (const auto& [name, expression] : probe.values) {
+      const ExpressionValue meaning = expression.value(scope_);
+      ProbeValue value{name, {}, meaning.is_vector};
+      for (const Field& component : meaning.components)
+        value.components.push_back(finite(value_of(component, point), probe));
+      values.push_back(std::move(value));
+    }
+    return values;
+  }
+
+  double value_of(const Field& field, const Point& point) const {
+    return Tape({field}, {0}, problem_.problem().dimension).value(point);
+  }
+
+  double finite(double value, const Probe& probe) const {
+    if (std::isfinite(value)) return value;
+    throw ComputationError(fmt::format("probe '{}' gives a value that is not a finite number",
+                                       probe.name));
+  }
+
+  // What an integral or extreme is taken of: components along the boundary's normal are added for
+  // boundary probes, piece by piece, by `over_pieces`.
+  Field scalar(const Probe& probe, const ExpressionScope& scope) const {
+    return probe.values[0].second.field(scope);
+  }
+
+  // The primitives of a boundary probe, with the scope in which its expression has a normal.
+  template <class Visit>
+  void over_pieces(const Probe& probe, const Visit& visit) const {
+    const auto& primitives = problem_.region().region().primitives();
+    const BoundaryTarget& target = *probe.boundary;
+    for (int number : problem_.bounding_primitives()) {
+      const bool named = target.kind == BoundaryTarget::Kind::all ||
+                         std::ranges::find(target.pieces, primitives[number]->name) !=
+                             target.pieces.end();
+      if (!named) continue;
+      const std::vector<Field> normal = outward_normal(number, problem_.region());
+      ExpressionScope scope = scope_;
+      define_normal(scope, normal);
+      define_boundary_results(scope, results_, normal);
+      visit(number, scope);
+    }
+  }
+
+  ProbeResult integrated(const Probe& probe) const {
+    double integral = 0, measure = 0;
+    const DomainRule& rule = solution_.rule;
+    if (probe.over == Probe::Over::boundary) {
+      const Field inside = probe.boundary->where ? step(*probe.boundary->where) : Field(1.0);
+      over_pieces(probe, [&](int number, const ExpressionScope& scope) {
+        const IntegrationPlace place{Contribution::Place::boundary, {number}};
+        integral += integrate(inside * scalar(probe, scope), rule, place);
+        measure += integrate(inside, rule, place);
+      });
+    } else {
+      const Field inside =
+          probe.region ? step(implicit(*probe.region, RAlpha{1})) : Field(1.0);
+      integral = integrate(inside * scalar(probe, scope_), rule);
+      measure = integrate(inside, rule);
+    }
+    const bool average = probe.kind == Probe::Kind::average;
+    if (average && !(measure > 0))
+      throw ComputationError(
+          fmt::format("probe '{}' averages over a set without measure", probe.name));
+    ProbeResult result{&probe, {}, {}, {}, {}};
+    result.values.push_back({"", {finite(average ? integral / measure : integral, probe)}, false});
+    return result;
+  }
+
+  ProbeResult extreme(const Probe& probe) const {
+    const double sign = probe.kind == Probe::Kind::max ? 1 : -1;
+    Extreme best{-INFINITY, {}};
+    const auto offer = [&](const Extreme& other) {
+      if (other.value > best.value) best = other;
+    };
+    if (probe.over == Probe::Over::boundary) {
+      over_pieces(probe, [&](int number, const ExpressionScope& scope) {
+        offer(maximum_over_boundary(sign * scalar(probe, scope), problem_, solution_.rule,
+                                    {number}, probe.boundary->where));
+      });
+    } else {
+      std::optional<Field> inside;
+      if (probe.region) inside = implicit(*probe.region, RAlpha{1});
+      offer(maximum_over_volume(sign * scalar(probe, scope_), problem_, solution_.rule, inside));
+    }
+    ProbeResult result{&probe, {}, {}, {}, best.at};
+    result.values.push_back({"", {finite(sign * best.value, probe)}, false});
+    return result;
+  }
+
+  const ScalarProblem& problem_;
+  const ScalarSolution& solution_;
+  ScalarResults results_;
+  ExpressionScope scope_;
+};
+
+}  // namespace
+
+std::vector<ProbeResult> evaluate_probes(const ScalarProblem& problem,
+                                         const ScalarSolution& solution) {
+  const ProbeEvaluator evaluator(problem, solution);
+  std::vector<ProbeResult> results;
+  for (const Probe& probe : problem.problem().probes) results.push_back(evaluator.evaluate(probe));
+  return results;
+}
+
+}  // namespace rfm

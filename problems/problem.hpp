@@ -1,0 +1,186 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/expression.hpp"
+#include "core/region.hpp"
+#include "core/weight.hpp"
+#include "problems/document.hpp"
+
+namespace rfm {
+
+/// A formula whose names may have their meaning later: results exist only after the solve, the normal
+/// only on a boundary. It was checked when the file was read, with stand-ins for those names.
+class DeferredExpression {
+ public:
+  /// Throws `ProblemFileErrors` if the text is not a formula.
+  explicit DeferredExpression(DocumentNode node);
+
+  /// As written: also the name of a probe's value.
+  const std::string& text() const { return node_.text; }
+  const Place& place() const { return node_.place; }
+  bool uses(std::string_view name) const { return expression_.uses(name); }
+  const Expression& expression() const { return expression_; }
+  /// The value, given the meaning of all names. Throw `ProblemFileErrors` at the place in the file.
+  ExpressionValue value(const ExpressionScope& scope) const;
+  Field field(const ExpressionScope& scope) const;
+
+ private:
+  DocumentNode node_;
+  Expression expression_;
+};
+
+/// A number or function (one entry), or a matrix row by row (dimension² entries).
+struct PhysicalCoefficient {
+  std::vector<Field> entries = {Field(0.0)};
+  bool is_matrix = false;
+  Place place;
+};
+
+/// A part of the domain with coefficients of its own.
+struct Material {
+  /// Nothing for `rest`: what no other material covers.
+  std::optional<Region> region;
+  std::string text;
+  std::map<std::string, PhysicalCoefficient> coefficients;
+  Place place;
+};
+
+enum class PhysicsType { poisson, heat };
+
+struct Physics {
+  PhysicsType type = PhysicsType::poisson;
+  /// By key: diffusivity, reaction, source; conductivity, density, heat_capacity, source. Those
+  /// that neither the file nor a default gives (conductivity beside materials) are absent.
+  std::map<std::string, PhysicalCoefficient> coefficients;
+  std::vector<Material> materials;
+};
+
+/// A part of the boundary, as names: some pieces (primitives), or parts of pieces.
+struct BoundaryTarget {
+  enum class Kind { pieces, all, rest };
+  /// As written: `hole`, `plate.left`, a region, `all`, `rest`.
+  std::string name;
+  Kind kind = Kind::pieces;
+  /// Names of primitives of the domain; empty for `rest`. Not all of them need bound the domain.
+  std::vector<std::string> pieces;
+  /// Only the part where this is ≥ 0.
+  std::optional<Field> where;
+  Place place;
+};
+
+struct Condition {
+  enum class Kind { value, flux, convection, robin };
+  enum class Enforcement { automatic, structure, weak };
+  std::vector<BoundaryTarget> targets;
+  Kind kind = Kind::value;
+  /// By key: `value`; `flux`; `coefficient`, `ambient`; `a`, `b`, `c`. They may use `n.x`, …: see
+  /// `normal_scope`.
+  std::map<std::string, DeferredExpression> data;
+  Enforcement enforcement = Enforcement::automatic;
+  int priority = 0;
+  Place place;
+};
+
+struct Discretization {
+  int degree = 3;
+  /// One number (along the longest side) or one per dimension; empty where `cell_size` is given.
+  std::vector<int> cells;
+  std::optional<double> cell_size;
+  std::optional<Box> grid;
+  /// Gauss points in each direction of a cell, where the file chooses them.
+  std::optional<int> quadrature_order;
+  enum class Method { ritz } method = Method::ritz;
+  enum class LinearSolver { automatic, direct } linear_solver = LinearSolver::automatic;
+  double tolerance = 1e-12;
+  std::optional<int> threads;
+};
+
+struct Probe {
+  enum class Kind { point, line, integral, average, max, min };
+  std::string name;
+  Kind kind = Kind::point;
+  /// The point, or the ends of the line.
+  std::vector<Point> points;
+  int point_count = 1;
+  /// What is probed, by the name under which it is kept: the text as written, or a name.
+  std::vector<std::pair<std::string, DeferredExpression>> values;
+  /// Of integrals and extremes: the domain, a part of it, or a part of its boundary.
+  enum class Over { domain, shape, boundary } over = Over::domain;
+  std::optional<Region> region;
+  std::optional<BoundaryTarget> boundary;
+  Place place;
+};
+
+struct Expectation {
+  /// A path into the summary, as `probes.centre.u`.
+  std::string quantity;
+  double value = 0;
+  std::optional<double> tolerance;
+  std::optional<double> relative_tolerance;
+  Place place;
+};
+
+struct OrderBounds {
+  std::string norm;  // L2, H1, max
+  double least = 0;
+  std::optional<double> most;
+};
+
+struct ConvergenceCheck {
+  std::vector<int> cells;
+  std::vector<OrderBounds> orders;
+};
+
+struct Verification {
+  /// The exact solution by unknown.
+  std::map<std::string, Field> exact;
+  std::vector<Expectation> expectations;
+  std::optional<ConvergenceCheck> convergence;
+};
+
+struct Picture {
+  std::string field = "u";
+  int contours = 10;
+};
+
+struct Outputs {
+  std::vector<std::string> fields;
+  int resolution = 128;
+  std::optional<Picture> picture;
+};
+
+/// A problem file, read and checked: names are resolved, numbers are numbers, defaults are filled in.
+struct Problem {
+  std::string file;
+  std::string title;
+  int dimension = 2;
+  std::map<std::string, double> parameters;
+  /// What formulas may name: coordinates, parameters, fields, functions, derivatives, omega(name).
+  /// Copies of it get results and normals (result_scope.hpp).
+  ExpressionScope scope;
+  /// Names of `fields:`, which may be outputs.
+  std::vector<std::string> fields;
+
+  std::map<std::string, Region> shapes;
+  std::optional<Region> domain;  ///< never empty in a problem that was read
+  CombineRule combine = CombineRule::automatic;
+  std::optional<Box> bounds;
+  std::map<std::string, BoundaryTarget> regions;
+  std::vector<Condition> conditions;
+  Place conditions_place;
+
+  Physics physics;
+  Discretization discretization;
+  std::vector<Probe> probes;
+  Verification verification;
+  Outputs outputs;
+
+  /// The file as read, with defaults and overrides, for `input.resolved.yaml`.
+  DocumentNode document;
+};
+
+}  // namespace rfm

@@ -1,0 +1,98 @@
+#include "problems/reader.hpp"
+
+#include "problems/boundary_coverage.hpp"
+#include "problems/boundary_reader.hpp"
+#include "problems/definition_reader.hpp"
+#include "problems/overrides.hpp"
+#include "problems/physics_reader.hpp"
+#include "problems/result_scope.hpp"
+#include "problems/run_reader.hpp"
+#include "problems/schema_check.hpp"
+#include "problems/shape_reader.hpp"
+
+namespace rfm {
+namespace {
+
+void define_common_names(ValueReader& values) {
+  const int dimension = values.dimension;
+  values.scope = coordinate_scope(dimension);
+  define_derivatives(values.scope, dimension);
+  const std::string not_supported = "is not supported yet";
+  values.scope.refuse("table", not_supported);
+  refuse_normal(values.scope, dimension, "is known on a boundary only");
+  refuse_results(values.scope, dimension,
+                 "is a result: formulas that depend on the solution are not supported yet");
+  for (const char* name : {"x", "y", "z", "t"})
+    values.number_scope.refuse(name, "is a coordinate: a number is needed here");
+  refuse_normal(values.number_scope, dimension, "is a normal: a number is needed here");
+  refuse_results(values.number_scope, dimension, "is a result: a number is needed here");
+}
+
+void read_geometry(const DocumentNode& root, ValueReader& values, ShapeReader& shapes,
+                   Problem& problem) {
+  shapes.read_all();
+  problem.shapes = shapes.shapes();
+  problem.domain = shapes.domain();
+  const DocumentNode* geometry = values.find(root, "geometry");
+  if (!geometry) return;
+  if (const DocumentNode* bounds = values.find(*geometry, "bounds"))
+    problem.bounds = values.box(*bounds);
+  const DocumentNode* combine = values.find(*geometry, "combine");
+  const DocumentNode* rule = combine ? values.find(*combine, "rule") : nullptr;
+  if (!rule) return;
+  problem.combine = rule->text == "R0"        ? CombineRule::r0
+                    : rule->text == "R1"      ? CombineRule::r1
+                    : rule->text == "product" ? CombineRule::product
+                                              : CombineRule::automatic;
+}
+
+void read_contents(ValueReader& values, Problem& problem) {
+  const DocumentNode& root = problem.document;
+  if (const DocumentNode* version = values.find(root, "rfm")) values.integer(*version);
+  if (const DocumentNode* title = values.find(root, "title")) problem.title = title->text;
+  define_common_names(values);
+  read_definitions(root, values, problem);
+
+  ShapeReader shapes(root, values);
+  read_geometry(root, values, shapes, problem);
+  check_definitions(root, values);
+  read_physics(root, values, shapes, problem);
+  BoundaryReader boundary(root, values, shapes, problem);
+  boundary.read_regions();
+  boundary.read_conditions();
+  problem.discretization = read_discretization(root, values);
+  read_probes(root, values, shapes, boundary, problem);
+  read_verification(root, values, problem);
+  read_outputs(root, values, problem);
+
+  shapes.report_unused();
+  boundary.report_unused();
+  if (problem.domain) check_overlaps(problem, values.mistakes);
+}
+
+}  // namespace
+
+Problem read_problem(std::shared_ptr<const SourceText> source,
+                     const std::vector<std::string>& overrides) {
+  Problem problem;
+  problem.file = source->name;
+  problem.document = parse_document(source);
+  MistakeList mistakes;
+  apply_overrides(problem.document, overrides, mistakes);
+  const SchemaMatch match = check_structure(problem.document, mistakes);
+  ValueReader values(match, mistakes);
+  if (const DocumentNode* dimension = values.find(problem.document, "dimension"))
+    problem.dimension = dimension->text[0] - '0';
+  values.dimension = problem.dimension;
+  // A dimension that is wrong makes everything else look wrong.
+  if (values.find(problem.document, "dimension")) read_contents(values, problem);
+  mistakes.throw_if_any();
+  problem.scope = std::move(values.scope);
+  return problem;
+}
+
+Problem read_problem(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_problem(read_source(path), overrides);
+}
+
+}  // namespace rfm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/expression.hpp"
+#include "core/field.hpp"
+
+namespace rfm {
+
+/// The results of a scalar problem as formulas name them.
+struct ScalarResults {
+  Field unknown;             ///< u
+  std::vector<Field> flux;   ///< +k grad(u): `flux`, `flux.x`, …
+  int dimension = 2;
+};
+
+/// Adds `n`, `n.x`, `n.y`, `n.z`: the outward unit normal of a boundary, one field per dimension.
+void define_normal(ExpressionScope& scope, const std::vector<Field>& normal);
+/// Adds `u`, `gradient`, `gradient.x`, …, `flux`, `flux.x`, …; derivatives of them are `grad(u)`,
+/// `dx(u)`, ….
+void define_results(ExpressionScope& scope, const ScalarResults& results);
+/// Adds `flux.n`, the flux along the outward normal.
+void define_boundary_results(ExpressionScope& scope, const ScalarResults& results,
+                             const std::vector<Field>& normal);
+
+/// Refuses the names of normals and of results, each with the reason.
+void refuse_normal(ExpressionScope& scope, int dimension, const std::string& reason);
+void refuse_results(ExpressionScope& scope, int dimension, const std::string& reason);
+
+/// Stand-ins for checking a formula before there is a solution: they have the right number of
+/// components, and any derivative of them exists.
+ScalarResults stand_in_results(int dimension);
+std::vector<Field> stand_in_normal(int dimension);
+
+/// The results of a scalar problem that may be written to files: u, gradient, flux.
+std::vector<std::string> scalar_output_names();
+
+}  // namespace rfm

@@ -1,0 +1,230 @@
+#include "problems/run.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/r_functions.hpp"
+#include "problems/field_sampling.hpp"
+#include "problems/output/vtu_file.hpp"
+#include "problems/reader.hpp"
+#include "problems/resolved_document.hpp"
+#include "problems/result_folder.hpp"
+#include "problems/result_scope.hpp"
+#include "problems/stopwatch.hpp"
+#include "problems/summary.hpp"
+#include "solvers/integrate.hpp"
+
+namespace rfm {
+namespace {
+
+const Field* exact_solution(const Problem& problem) {
+  const auto exact = problem.verification.exact.find("u");
+  return exact == problem.verification.exact.end() ? nullptr : &exact->second;
+}
+
+void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
+                  const ScalarSolution& solution) {
+  const QuadratureReport& quadrature = solution.rule.report();
+  if (!problem.problem().title.empty()) log.line("{}", problem.problem().title);
+  if (!problem.dirichlet().by_structure.empty())
+    log.line("structure: u = g + omega psi, omega = {}", problem.dirichlet().weight.formula);
+  for (const std::string& remark : problem.dirichlet().remarks) log.line("note: {}", remark);
+  if (solution.mean_set_to_zero)
+    log.line("note: nothing fixes the level of u; its mean is set to zero");
+  log.line("grid: {} x {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
+           grid.cells(0), grid.cells(1), problem.problem().discretization.degree,
+           quadrature.inside_cells, quadrature.cut_cells, quadrature.smallest_cut_fraction,
+           solution.unknowns);
+  if (quadrature.uncertified.boxes > 0)
+    log.line("note: quadrature is a best effort in {} boxes of total measure {:.1e}",
+             quadrature.uncertified.boxes, quadrature.uncertified.measure);
+  log.line("measures: domain {:.12g}, boundary {:.12g}; divergence theorem holds to {:.1e}",
+           solution.rule.measure(), solution.rule.boundary_measure(),
+           quadrature.divergence_defect);
+  log.line("solved: linear residual {:.1e}, boundary residual {:.1e}, energy {:.12g}",
+           solution.linear.relative_residual, solution.boundary_residual, solution.energy);
+  if (solution.linear.dropped > 0)
+    log.line("note: {} splines without support were dropped", solution.linear.dropped);
+}
+
+void log_errors(RunLog& log, const SolutionErrors& errors) {
+  log.line("error of u: L2 {:.3e} (relative {:.3e}), H1 {:.3e} (relative {:.3e}), max {:.3e}",
+           errors.l2, errors.l2_relative, errors.h1, errors.h1_relative, errors.maximum);
+}
+
+ConvergenceRow solve_row(const ScalarProblem& problem, int cells, const Field* exact,
+                         const Field* previous, Field& u) {
+  const Grid grid = problem.grid(cells);
+  const ScalarSolution solution = problem.solve(grid);
+  u = solution.u;
+  ConvergenceRow row{cells, solution.unknowns, {}, {}};
+  if (exact) {
+    row.errors = solution_errors(problem, grid, solution.u, *exact);
+  } else if (previous) {
+    const double size = norms(solution.u, solution.rule).l2;
+    const double change = norms(solution.u - *previous, solution.rule).l2;
+    row.change = size > 0 ? change / size : change;
+  }
+  return row;
+}
+
+void log_convergence(RunLog& log, const std::vector<ConvergenceRow>& rows) {
+  log.line("{:>7} {:>9} {:>12} {:>6} {:>12} {:>6}", "cells", "unknowns", "L2", "order", "H1",
+           "order");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ConvergenceRow& row = rows[i];
+    if (!row.errors) {
+      log.line("{:>7} {:>9}   change of u in L2, relative: {}", row.cells, row.unknowns,
+               row.change ? fmt::format("{:.3e}", *row.change) : "-");
+      continue;
+    }
+    const auto order = [&](double SolutionErrors::*norm) {
+      if (i == 0 || !rows[i - 1].errors) return std::string("-");
+      return fmt::format("{:.2f}", observed_order((*rows[i - 1].errors).*norm, (*row.errors).*norm,
+                                                  rows[i - 1].cells, row.cells));
+    };
+    log.line("{:>7} {:>9} {:>12.3e} {:>6} {:>12.3e} {:>6}", row.cells, row.unknowns,
+             row.errors->l2, order(&SolutionErrors::l2), row.errors->h1,
+             order(&SolutionErrors::h1));
+  }
+}
+
+std::vector<ConvergenceRow> convergence_study(const ScalarProblem& problem,
+                                              const std::vector<int>& cells) {
+  std::vector<ConvergenceRow> rows;
+  const Field* exact = exact_solution(problem.problem());
+  Field previous, current;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    rows.push_back(solve_row(problem, cells[i], exact, i > 0 ? &previous : nullptr, current));
+    previous = current;
+  }
+  return rows;
+}
+
+void check_orders(RunReport& report, const ConvergenceCheck& check, RunLog& log) {
+  const std::vector<ConvergenceRow>& rows = report.convergence;
+  if (rows.size() < 2 || !rows.back().errors) return;
+  const ConvergenceRow &coarse = rows[rows.size() - 2], &fine = rows.back();
+  for (const OrderBounds& bounds : check.orders) {
+    const double order =
+        observed_order(coarse.errors->by_name(bounds.norm), fine.errors->by_name(bounds.norm),
+                       coarse.cells, fine.cells);
+    const bool ok = order >= bounds.least && order <= bounds.most.value_or(INFINITY);
+    report.orders.push_back({bounds.norm, order, bounds, ok});
+    log.line("order in {}: {:.3f}, expected {}: {}", bounds.norm, order,
+             bounds.most ? fmt::format("{} to {}", bounds.least, *bounds.most)
+                         : fmt::format("at least {}", bounds.least),
+             ok ? "ok" : "MISSED");
+  }
+}
+
+void check_expectations(RunReport& report, const Problem& problem,
+                        const nlohmann::ordered_json& summary, RunLog& log) {
+  for (const Expectation& expectation : problem.verification.expectations) {
+    const auto value = find_quantity(summary, expectation.quantity);
+    if (!value)
+      throw ProblemFileErrors(
+          {Mistake{fmt::format("there is no result '{}'", expectation.quantity),
+                   expectation.place}});
+    report.expectations.push_back(check(expectation, *value));
+    const ExpectationResult& result = report.expectations.back();
+    log.line("expect {}: {:.12g}, expected {:.12g}, error {:.1e}: {}", result.quantity,
+             result.value, result.expected, result.relative_error, result.ok ? "ok" : "MISSED");
+  }
+}
+
+std::vector<NamedField> output_fields(const ScalarProblem& problem,
+                                      const ScalarSolution& solution) {
+  const Problem& file = problem.problem();
+  ExpressionScope scope = file.scope;
+  define_results(scope, {solution.u, solution.flux, file.dimension});
+  std::vector<std::string> names{"u", "gradient"};
+  for (const std::string& name : file.outputs.fields)
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  std::vector<NamedField> fields;
+  for (const std::string& name : names)
+    fields.push_back({name, evaluate(Expression(name), scope).components});
+  fields.push_back({"omega", {implicit(problem.region().region())}});
+  return fields;
+}
+
+FieldMesh sampled_fields(const ScalarProblem& problem, const Grid& grid,
+                         const ScalarSolution& solution) {
+  int most_cells = 1;
+  for (int axis = 0; axis < grid.dimension(); ++axis)
+    most_cells = std::max(most_cells, grid.cells(axis));
+  TessellationOptions options;
+  options.subdivisions =
+      std::max(1, (problem.problem().outputs.resolution + most_cells - 1) / most_cells);
+  return sample(tessellate(problem.region(), grid, options), output_fields(problem, solution),
+                grid.dimension());
+}
+
+}  // namespace
+
+int run_problem(const std::string& file, const RunOptions& options) {
+  const Stopwatch total;
+  RunLog log(options.quiet || options.json);
+  RunReport report;
+  const Problem problem = read_problem(file, options.overrides);
+  report.seconds.read = total.seconds();
+
+  const Stopwatch prepare;
+  const ScalarProblem scalar(problem);
+  report.seconds.prepare = prepare.seconds();
+  const Grid grid = scalar.grid();
+  const ScalarSolution solution = scalar.solve(grid);
+  report.seconds.quadrature = solution.seconds.quadrature;
+  report.seconds.assembly = solution.seconds.assembly;
+  report.seconds.solve = solution.seconds.solve;
+  log_solution(log, scalar, grid, solution);
+
+  const Stopwatch verify;
+  const Field* exact = exact_solution(problem);
+  if (options.verify && exact) {
+    report.errors = solution_errors(scalar, grid, solution.u, *exact);
+    log_errors(log, *report.errors);
+  }
+  report.probes = evaluate_probes(scalar, solution);
+  const auto& convergence = problem.verification.convergence;
+  if (options.converge > 1) {
+    int cells = 1;
+    for (int axis = 0; axis < grid.dimension(); ++axis) cells = std::max(cells, grid.cells(axis));
+    std::vector<int> doublings;
+    for (int i = 0; i < options.converge; ++i, cells *= 2) doublings.push_back(cells);
+    report.convergence = convergence_study(scalar, doublings);
+  } else if (options.verify && convergence) {
+    report.convergence = convergence_study(scalar, convergence->cells);
+  }
+  if (!report.convergence.empty()) log_convergence(log, report.convergence);
+  if (options.verify && convergence && options.converge <= 1)
+    check_orders(report, *convergence, log);
+  report.seconds.verify = verify.seconds();
+
+  const Stopwatch output;
+  ResultFolder folder(options.output);
+  const std::string name = std::filesystem::path(file).stem().string();
+  const FieldMesh mesh = sampled_fields(scalar, grid, solution);
+  folder.write(name + ".vtu", [&](const std::string& path) { write_vtu(mesh, path); });
+  if (const std::string csv = probes_csv(report.probes); !csv.empty())
+    folder.write_text("probes.csv", csv);
+  folder.write_text("input.resolved.yaml", document_text(problem.document));
+  report.seconds.output = output.seconds();
+  report.seconds.total = total.seconds();
+
+  nlohmann::ordered_json summary = make_summary(scalar, solution, report);
+  if (options.verify) {
+    check_expectations(report, problem, summary, log);
+    add_expectations(summary, report);
+  }
+  log.line("{:.2f} s; results in {}", report.seconds.total, folder.path());
+  folder.write_text("summary.json", summary.dump(2) + "\n");
+  folder.write_text("log.txt", log.text());
+  folder.commit();
+  if (options.json) std::puts(summary.dump(2).c_str());
+  return report.all_ok() ? 0 : 1;
+}
+
+}  // namespace rfm

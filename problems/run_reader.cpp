@@ -1,0 +1,175 @@
+#include "problems/run_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/nearest_name.hpp"
+#include "problems/result_scope.hpp"
+
+namespace rfm {
+namespace {
+
+std::vector<int> read_cells(const DocumentNode& node, ValueReader& values) {
+  if (node.is_scalar()) {
+    const std::optional<int> cells = values.integer(node);
+    return cells ? std::vector<int>{*cells} : std::vector<int>{};
+  }
+  if (static_cast<int>(node.items.size()) != values.dimension) {
+    values.mistakes.add("expected one number of cells, or " + std::to_string(values.dimension) +
+                            ", but found " + std::to_string(node.items.size()),
+                        node.place);
+    return {};
+  }
+  return values.integers(node).value_or(std::vector<int>{});
+}
+
+}  // namespace
+
+Discretization read_discretization(const DocumentNode& root, ValueReader& values) {
+  Discretization result;
+  const DocumentNode* map = values.find(root, "discretization");
+  if (!map) return result;
+  if (const DocumentNode* basis = values.find(*map, "basis")) {
+    if (const DocumentNode* degree = values.find(*basis, "bspline"))
+      result.degree = values.integer(*degree).value_or(result.degree);
+    if (const DocumentNode* cells = values.find(*basis, "cells"))
+      result.cells = read_cells(*cells, values);
+    if (const DocumentNode* size = values.find(*basis, "size"))
+      result.cell_size = values.number(*size);
+  }
+  if (const DocumentNode* grid = values.find(*map, "grid")) result.grid = values.box(*grid);
+  if (const DocumentNode* quadrature = values.find(*map, "quadrature"))
+    if (const DocumentNode* order = values.find(*quadrature, "order"))
+      result.quadrature_order = values.integer(*order);
+  if (const DocumentNode* solver = values.find(*map, "solver")) {
+    if (const DocumentNode* linear = values.find(*solver, "linear"))
+      result.linear_solver = linear->text == "direct" ? Discretization::LinearSolver::direct
+                                                      : Discretization::LinearSolver::automatic;
+    if (const DocumentNode* tolerance = values.find(*solver, "tolerance"))
+      result.tolerance = values.number(*tolerance).value_or(result.tolerance);
+    if (const DocumentNode* threads = values.find(*solver, "threads"))
+      result.threads = values.integer(*threads);
+  }
+  return result;
+}
+
+void read_verification(const DocumentNode& root, ValueReader& values, Problem& problem) {
+  const DocumentNode* map = values.find(root, "verify");
+  if (!map) return;
+  Verification& verification = problem.verification;
+  if (const DocumentNode* exact = values.find(*map, "exact"))
+    for (const DocumentNode::Entry& entry : exact->entries) {
+      if (entry.key != "u") {
+        values.mistakes.add("unknown result '" + entry.key + "' in exact; expected: u",
+                            entry.key_place);
+        continue;
+      }
+      if (const std::optional<Field> field = values.field(entry.value))
+        verification.exact.emplace(entry.key, *field);
+    }
+  const auto check_quantity = [&](const DocumentNode& node) {
+    constexpr std::array<std::string_view, 14> parts = {
+        "probes",   "errors",   "measures",    "energy",      "unknowns",
+        "cells",    "seconds",  "eigenvalues", "frequencies", "factors",
+        "convergence", "boundary_residual", "estimated_error", "peak_memory_mb"};
+    const std::string first = node.text.substr(0, node.text.find_first_of(".["));
+    const std::vector<std::string> known(parts.begin(), parts.end());
+    if (std::ranges::find(known, first) == known.end())
+      return values.mistakes.add("unknown quantity '" + first + "'" + did_you_mean(first, known),
+                                 node.place_within(0, first.size()));
+    if (first != "probes" || node.text.size() <= first.size() + 1) return;
+    const std::string rest = node.text.substr(first.size() + 1);
+    const std::string probe = rest.substr(0, rest.find_first_of(".["));
+    std::vector<std::string> probes;
+    for (const Probe& candidate : problem.probes) {
+      probes.push_back(candidate.name);
+      if (candidate.kind == Probe::Kind::max || candidate.kind == Probe::Kind::min)
+        probes.push_back(candidate.name + "_at");
+    }
+    if (std::ranges::find(probes, probe) == probes.end())
+      values.mistakes.add("unknown probe '" + probe + "'" + did_you_mean(probe, probes),
+                          node.place_within(first.size() + 1, probe.size()));
+  };
+  if (const DocumentNode* expect = values.find(*map, "expect"))
+    for (const DocumentNode& item : expect->items) {
+      if (!values.fits(item)) continue;
+      Expectation expectation;
+      expectation.place = item.place;
+      if (const DocumentNode* quantity = values.find(item, "quantity")) {
+        expectation.quantity = quantity->text;
+        check_quantity(*quantity);
+      }
+      if (const DocumentNode* value = values.find(item, "value"))
+        expectation.value = values.number(*value).value_or(0);
+      if (const DocumentNode* tolerance = values.find(item, "tolerance"))
+        expectation.tolerance = values.number(*tolerance);
+      if (const DocumentNode* tolerance = values.find(item, "relative_tolerance"))
+        expectation.relative_tolerance = values.number(*tolerance);
+      if (!item.find("tolerance") && !item.find("relative_tolerance"))
+        values.mistakes.add("an expectation needs a tolerance or a relative_tolerance",
+                            item.place);
+      verification.expectations.push_back(std::move(expectation));
+    }
+  const DocumentNode* convergence = values.find(*map, "convergence");
+  if (!convergence) return;
+  ConvergenceCheck check;
+  if (const DocumentNode* cells = values.find(*convergence, "cells")) {
+    check.cells = values.integers(*cells).value_or(std::vector<int>{});
+    if (cells->items.size() < 2)
+      values.mistakes.add("an order of convergence needs two grids or more", cells->place);
+    if (std::ranges::adjacent_find(check.cells, std::greater_equal<>()) != check.cells.end())
+      values.mistakes.add("the cells must increase from grid to grid", cells->place);
+  }
+  for (const char* norm : {"L2", "H1", "max"}) {
+    if (const DocumentNode* least = values.find(*convergence, "minimum_order"))
+      if (const DocumentNode* order = values.find(*least, norm))
+        if (const std::optional<double> value = values.number(*order))
+          check.orders.push_back({norm, *value, {}});
+    if (const DocumentNode* both = values.find(*convergence, "order"))
+      if (const DocumentNode* order = values.find(*both, norm)) {
+        const auto bounds = values.numbers(*order);
+        if (bounds && bounds->size() == 2)
+          check.orders.push_back({norm, (*bounds)[0], (*bounds)[1]});
+        else if (bounds)
+          values.mistakes.add("expected two numbers [least, most]", order->place);
+      }
+  }
+  const bool has_orders = convergence->find("minimum_order") || convergence->find("order");
+  if (has_orders && !map->find("exact"))
+    values.mistakes.add("orders of convergence need the exact solution: add verify.exact",
+                        convergence->place);
+  verification.convergence = std::move(check);
+}
+
+void read_outputs(const DocumentNode& root, ValueReader& values, Problem& problem) {
+  const DocumentNode* map = values.find(root, "outputs");
+  if (!map) return;
+  std::vector<std::string> known = scalar_output_names();
+  known.insert(known.end(), problem.fields.begin(), problem.fields.end());
+  const auto check_name = [&](const DocumentNode& node) {
+    if (std::ranges::find(known, node.text) == known.end())
+      values.mistakes.add("unknown result or field '" + node.text + "'" +
+                              did_you_mean(node.text, known),
+                          node.place);
+  };
+  if (const DocumentNode* fields = values.find(*map, "fields"))
+    for (const DocumentNode& item : fields->items) {
+      if (!values.fits(item)) continue;
+      check_name(item);
+      problem.outputs.fields.push_back(item.text);
+    }
+  if (const DocumentNode* vtu = values.find(*map, "vtu"))
+    if (const DocumentNode* resolution = values.find(*vtu, "resolution"))
+      problem.outputs.resolution = values.integer(*resolution).value_or(128);
+  const DocumentNode* picture = values.find(*map, "picture");
+  if (!picture || (picture->is_scalar() && picture->text != "true")) return;
+  problem.outputs.picture.emplace();
+  if (const DocumentNode* field = values.find(*picture, "field")) {
+    check_name(*field);
+    problem.outputs.picture->field = field->text;
+  }
+  if (const DocumentNode* contours = values.find(*picture, "contours"))
+    problem.outputs.picture->contours = values.integer(*contours).value_or(10);
+}
+
+}  // namespace rfm

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "core/level_function.hpp"
+#include "problems/boundary_conditions.hpp"
+#include "problems/problem.hpp"
+#include "solvers/integrand.hpp"
+
+namespace rfm {
+
+/// −∇·(K ∇u) + reaction u = source, with coefficients that may jump between materials.
+struct ScalarCoefficients {
+  std::vector<Field> conductivity;  ///< K row by row, dimension² entries, symmetric
+  Field reaction = 0.0;
+  Field source = 0.0;
+};
+
+/// The coefficients of `poisson` and `heat` as fields, materials chosen point by point.
+ScalarCoefficients scalar_coefficients(const Problem& problem);
+
+/// Functions across whose zeros coefficients or conditions jump: quadrature splits cells there.
+std::vector<LevelFunction> coefficient_interfaces(const Problem& problem);
+
+/// K ∇f.
+std::vector<Field> conductive_flux(const ScalarCoefficients& coefficients, const Field& f,
+                                   int dimension);
+
+/// ½ ∫ (∇u·K∇u + reaction u²) − ∫ source u.
+Contribution volume_energy(const ScalarCoefficients& coefficients, int dimension);
+
+/// The boundary terms of a natural condition, with ∂u/∂n the outward derivative: `flux` q = n·K∇u
+/// gives −∫ q u; `convection` n·K∇u = h (u∞ − u) gives ∫ (½ h u² − h u∞ u); `robin`
+/// a u + b ∂u/∂n = c is n·K∇u = k (c − a u)/b with k = n·Kn (exact where Kn is along n, so for
+/// scalar conductivity). Nothing for a homogeneous flux.
+std::vector<Contribution> natural_energy(const PieceCondition& condition,
+                                         const ScalarCoefficients& coefficients, int dimension);
+
+/// Nitsche's terms for u = g: −∫ (u − g) n·K∇u + ½ ∫ β k (u − g)², with β the `penalty` per length.
+/// Symmetric and consistent, so of full order; stable for β large enough, and solved as an
+/// indefinite system where cut cells make it not so (the solution stays accurate).
+Contribution nitsche_energy(const PieceCondition& condition,
+                            const ScalarCoefficients& coefficients, int dimension,
+                            double penalty);
+
+}  // namespace rfm

@@ -1,0 +1,213 @@
+#include "problems/scalar_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "problems/regular_data.hpp"
+#include "problems/stopwatch.hpp"
+#include "solution_structures/dirichlet.hpp"
+#include "solvers/assembly.hpp"
+#include "solvers/integrate.hpp"
+#include "solvers/solution.hpp"
+
+namespace rfm {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message, const Place& place) {
+  throw ProblemFileErrors({Mistake{message, place}});
+}
+
+Place domain_place(const Problem& problem) {
+  const DocumentNode* geometry = problem.document.find("geometry");
+  const DocumentNode* domain = geometry ? geometry->find("domain") : nullptr;
+  return domain ? domain->place : problem.document.place;
+}
+
+Box problem_bounds(const Problem& problem, const RegionEvaluator& region) {
+  if (problem.bounds) return *problem.bounds;
+  try {
+    return bounding_box(region);
+  } catch (const InvalidArgument& error) {
+    const bool empty = std::string(error.what()).find("empty") != std::string::npos;
+    refuse(empty ? "the domain is empty"
+                 : fmt::format("{}; give geometry.bounds: {{min: [..], max: [..]}}", error.what()),
+           domain_place(problem));
+  }
+}
+
+// Whether values of a field are finite at all points of a rule.
+bool is_defined(const Field& field, const DomainRule& rule) {
+  try {
+    maximum(field, rule);
+    maximum(field, rule, {Contribution::Place::boundary});
+    return true;
+  } catch (const ComputationError&) {
+    return false;
+  }
+}
+
+// The system without its first well supported unknown, which is set to zero: what a kernel of
+// constants leaves free.
+void pin_one(LinearSystem& system) {
+  Eigen::Index pinned = 0;
+  const Eigen::VectorXd diagonal = system.matrix.diagonal();
+  diagonal.maxCoeff(&pinned);
+  for (Eigen::Index column = 0; column < system.matrix.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(system.matrix, column); entry; ++entry)
+      if (entry.row() == pinned || entry.col() == pinned)
+        entry.valueRef() = entry.row() == entry.col() ? entry.value() : 0.0;
+  system.right_hand_side[pinned] = 0;
+}
+
+}  // namespace
+
+Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells) {
+  const Discretization& discretization = problem.discretization;
+  const Box box = discretization.grid.value_or(bounds);
+  if (cells) return Grid::with_square_cells(box, *cells);
+  if (discretization.cells.size() == 1)
+    return Grid::with_square_cells(box, discretization.cells[0]);
+  if (discretization.cells.size() > 1) {
+    std::array<int, 3> counts{1, 1, 1};
+    std::copy_n(discretization.cells.begin(), problem.dimension, counts.begin());
+    return Grid(box, counts);
+  }
+  const double size = discretization.cell_size.value_or(box.longest_side() / 64);
+  return Grid::with_square_cells(
+      box, std::max(1, static_cast<int>(std::ceil(box.longest_side() / size - 1e-9))));
+}
+
+ScalarProblem::ScalarProblem(const Problem& problem)
+    : problem_(problem),
+      region_(*problem.domain),
+      bounds_(problem_bounds(problem, region_)),
+      interfaces_(coefficient_interfaces(problem)),
+      coefficients_(scalar_coefficients(problem)) {
+  // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
+  // with few points.
+  QuadratureOptions coarse;
+  coarse.inside_points = 1;
+  coarse.cut_points = 2;
+  const DomainRule probe = make_domain_rule(region_, grid(), coarse);
+  if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
+  for (int k = 0; k < region_.primitive_count(); ++k)
+    if (probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
+      bounding_primitives_.push_back(k);
+  conditions_ = piece_conditions(problem, region_, bounding_primitives_);
+  std::vector<bool> regular;
+  for (const PieceCondition& condition : conditions_)
+    regular.push_back(condition.kind != Condition::Kind::value ||
+                      condition.data[0].is_constant() ||
+                      (is_bounded(condition.data[0], region_, bounds_) &&
+                       is_defined(condition.data[0], probe)));
+  plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular);
+  structure_ = plan_.by_structure.empty() ? Structure::undetermined()
+                                          : rfm::dirichlet(plan_.data, plan_.weight.function);
+}
+
+DomainRule ScalarProblem::rule(const Grid& grid, int more_points) const {
+  const int degree = problem_.discretization.degree;
+  QuadratureOptions options;
+  options.inside_points = problem_.discretization.quadrature_order.value_or(degree + 1);
+  options.cut_points = problem_.discretization.quadrature_order.value_or(degree + 3);
+  options.inside_points += more_points;
+  options.cut_points += more_points;
+  return make_domain_rule(region_, grid, options, interfaces_);
+}
+
+std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
+  const int dimension = problem_.dimension;
+  std::vector<Contribution> list{volume_energy(coefficients_, dimension)};
+  for (const PieceCondition& condition : conditions_)
+    for (Contribution& natural : natural_energy(condition, coefficients_, dimension))
+      list.push_back(std::move(natural));
+  // The penalty of Nitsche's method scales as p²/h; 20 keeps the boundary residual small against
+  // the error inside.
+  const int degree = problem_.discretization.degree;
+  const double penalty = 20.0 * degree * degree / grid.spacing(0);
+  for (const PieceCondition& condition : plan_.weakly)
+    list.push_back(nitsche_energy(condition, coefficients_, dimension, penalty));
+  return list;
+}
+
+bool ScalarProblem::fixed_up_to_constant() const {
+  if (!coefficients_.reaction.is_constant(0)) return false;
+  return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
+    if (condition.kind == Condition::Kind::flux) return true;
+    if (condition.kind == Condition::Kind::value) return false;
+    return condition.data[0].is_constant(0);  // no transfer, or a = 0
+  });
+}
+
+void ScalarProblem::check_compatible(const DomainRule& rule) const {
+  // ∫ f + ∫ q must vanish: the sum of all loads against the constant 1.
+  double resultant = integrate(coefficients_.source, rule);
+  double size = integrate(abs(coefficients_.source), rule);
+  for (const PieceCondition& condition : conditions_)
+    for (const Contribution& natural : natural_energy(condition, coefficients_, problem_.dimension))
+      for (const auto& load : natural.energy.load()) {
+        const IntegrationPlace place{Contribution::Place::boundary, natural.numbers};
+        const Coefficient part =
+            natural.where ? load.coefficient * Coefficient(step(*natural.where)) : load.coefficient;
+        const double amount = integrate(part, rule, place);
+        resultant += amount;
+        size += std::fabs(amount);
+      }
+  if (std::fabs(resultant) > 1e-8 * size)
+    throw ComputationError(fmt::format(
+        "no steady solution exists: nothing fixes the level of u, and sources and fluxes do not "
+        "balance (their resultant is {:.6g})",
+        resultant));
+}
+
+ScalarSolution ScalarProblem::solve(const Grid& grid) const {
+  Stopwatch quadrature;
+  ScalarSolution solution{.rule = rule(grid), .u = 0.0, .flux = {}, .linear = {}, .seconds = {}};
+  solution.seconds.quadrature = quadrature.seconds();
+
+  Stopwatch assembly;
+  const bool free_constant = fixed_up_to_constant();
+  if (free_constant) check_compatible(solution.rule);
+  const std::vector<std::uint8_t> cells = cells_in_region(solution.rule);
+  const std::vector<TensorProductSpace> spaces{
+      TensorProductSpace(grid, problem_.discretization.degree, cells)};
+  const std::vector<Structure> structures{structure_};
+  LinearSystem system = assemble(structures, spaces, contributions(grid), solution.rule);
+  if (free_constant) pin_one(system);
+  solution.unknowns = spaces[0].size();
+  solution.seconds.assembly = assembly.seconds();
+
+  Stopwatch solve;
+  LinearSolverOptions options;
+  options.dimension = problem_.dimension;
+  options.tolerance = problem_.discretization.tolerance;
+  if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
+    options.method = LinearSolverOptions::Method::direct;
+  solution.linear = rfm::solve(system, options);
+  solution.u = solution_fields(structures, spaces, solution.linear.coefficients)[0];
+  if (free_constant) {
+    solution.u = solution.u - integrate(solution.u, solution.rule) / solution.rule.measure();
+    solution.mean_set_to_zero = true;
+  }
+  solution.seconds.solve = solve.seconds();
+
+  solution.flux = conductive_flux(coefficients_, solution.u, problem_.dimension);
+  Field density = coefficients_.reaction * solution.u * solution.u;
+  for (int axis = 0; axis < problem_.dimension; ++axis)
+    density = density + solution.flux[axis] * partial(solution.u, axis);
+  solution.energy = 0.5 * integrate(density, solution.rule);
+  for (const PieceCondition& condition : conditions_) {
+    if (condition.kind != Condition::Kind::value) continue;
+    Field residual = solution.u - condition.data[0];
+    if (condition.where) residual = select(step(*condition.where), residual, 0.0);
+    solution.boundary_residual = std::max(
+        solution.boundary_residual,
+        maximum(residual, solution.rule, {Contribution::Place::boundary, {condition.primitive}}));
+  }
+  return solution;
+}
+
+}  // namespace rfm

@@ -1,0 +1,184 @@
+#include "problems/schema.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace rfm {
+namespace {
+
+std::string number_text(double value) {
+  std::array<char, 32> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%g", value);
+  return buffer.data();
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+SchemaKey key_of(const SchemaRow& row, std::string name) {
+  SchemaKey key;
+  key.name = std::move(name);
+  key.path = row.path;
+  key.types = row.types;
+  key.presence = row.presence;
+  key.doc = row.doc;
+  key.status = row.status;
+  key.range = row.range;
+  key.when = words_of(row.when);
+  return key;
+}
+
+/// Puts a row into the tree: follows its path, whose parents stand before it in the table, and
+/// appends it to the right list of its parent.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(SchemaKey& root) : root_(root) {}
+
+  void add(const SchemaRow& row) {
+    SchemaKey* parent = &root_;
+    std::string_view rest = row.path;
+    std::string name;
+    std::vector<SchemaKey>* siblings = nullptr;
+    while (!rest.empty()) {
+      if (siblings) parent = find(*siblings, name, row.path);
+      siblings = &step(*parent, rest, name);
+    }
+    siblings->push_back(key_of(row, name));
+  }
+
+ private:
+  // Cuts one step off the path: the list of `parent` it leads to, and the name in it.
+  static std::vector<SchemaKey>& step(SchemaKey& parent, std::string_view& rest,
+                                      std::string& name) {
+    if (rest.starts_with("[]")) {
+      rest.remove_prefix(2);
+      name = "[]";
+      return parent.items;
+    }
+    const bool is_word = rest.starts_with('=');
+    if (is_word || rest.starts_with('.')) rest.remove_prefix(1);
+    const std::size_t end = is_word ? rest.size() : std::min(rest.find_first_of(".[="), rest.size());
+    name = rest.substr(0, end);
+    rest.remove_prefix(end);
+    return is_word ? parent.words : name == "*" ? parent.named : parent.keys;
+  }
+
+  static SchemaKey* find(std::vector<SchemaKey>& siblings, const std::string& name,
+                         std::string_view path) {
+    const auto found = std::ranges::find(siblings, name, &SchemaKey::name);
+    if (found == siblings.end())
+      throw InvalidArgument("the table of keys lacks the parent of " + std::string(path));
+    return &*found;
+  }
+
+  SchemaKey& root_;
+};
+
+SchemaKey* find_key(SchemaKey& parent, std::string_view name) {
+  return &*std::ranges::find(parent.keys, name, &SchemaKey::name);
+}
+
+// Coefficients may be given per material, and may come from another problem.
+void extend_coefficients(SchemaKey& physics) {
+  SchemaKey& material = find_key(physics, "materials")->items[0];
+  for (SchemaKey& key : physics.keys) {
+    if (!key.takes(expression_value)) continue;
+    SchemaKey file;
+    file.name = "from";
+    file.path = key.path + ".from";
+    file.types = file_value;
+    file.presence = required;
+    file.doc = "Another problem file, which is solved first.";
+    file.status = Status::later;
+    SchemaKey field = file;
+    field.name = "field";
+    field.path = key.path + ".field";
+    field.types = name_value;
+    field.doc = "The result of that problem.";
+    key.types |= map_value;
+    key.keys = {std::move(file), std::move(field)};
+    SchemaKey in_material = key;
+    in_material.path.replace(0, physics.path.size(), material.path);
+    in_material.presence = optional;
+    material.keys.push_back(std::move(in_material));
+  }
+}
+
+SchemaKey build() {
+  SchemaKey root;
+  root.doc = "A problem file.";
+  TreeBuilder builder(root);
+  for (const auto rows :
+       {document_rows(), geometry_rows(), condition_rows(), physics_rows(), run_rows()})
+    for (const SchemaRow& row : rows) builder.add(row);
+  extend_coefficients(*find_key(root, "physics"));
+  return root;
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (low_excluded ? value > low : value >= low) && value <= high;
+}
+
+std::string Range::text() const {
+  const bool has_low = low != Range{}.low, has_high = high != Range{}.high;
+  if (low == high) return number_text(low);
+  if (has_low && has_high && !low_excluded)
+    return "from " + number_text(low) + " to " + number_text(high);
+  std::string text;
+  if (has_low) text = (low_excluded ? "greater than " : "at least ") + number_text(low);
+  if (has_high) text += (has_low ? " and at most " : "at most ") + number_text(high);
+  return text;
+}
+
+const SchemaKey& schema() {
+  static const SchemaKey root = build();
+  return root;
+}
+
+std::string type_text(const SchemaKey& key) {
+  constexpr std::array<std::pair<unsigned, std::string_view>, 17> names = {{
+      {number_value, "a number"},
+      {integer_value, "a whole number"},
+      {boolean_value, "true or false"},
+      {text_value, "a text"},
+      {word_value, "a word"},
+      {name_value, "a name"},
+      {expression_value, "a number or formula"},
+      {result_value, "a formula"},
+      {shapes_value, "an expression of shapes"},
+      {file_value, "a file name"},
+      {vector_value, "a list of coordinates"},
+      {numbers_value, "a list of numbers"},
+      {matrix_value, "a matrix"},
+      {list_value, "a list"},
+      {map_value, "a map"},
+      {named_map_value, "a map of names"},
+      {functions_value, "a map of functions"},
+  }};
+  std::vector<std::string> parts;
+  for (const auto& [type, name] : names) {
+    // {from: file} of coefficients is an exotic form: not offered to somebody in error.
+    const bool offered = type != map_value || key.keys.empty() ||
+                         std::ranges::any_of(key.keys, [](const SchemaKey& child) {
+                           return child.status == Status::works;
+                         });
+    if (key.takes(type) && offered) parts.emplace_back(name);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " or " : ", ") + parts[i];
+  return text;
+}
+
+}  // namespace rfm

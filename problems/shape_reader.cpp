@@ -1,0 +1,208 @@
+#include "problems/shape_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/nearest_name.hpp"
+#include "core/primitives.hpp"
+#include "core/r_functions.hpp"
+#include "problems/reserved_names.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr std::size_t deepest_shapes = 100;
+
+template <class Value>
+std::vector<std::string> keys_of(const std::map<std::string, Value>& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) keys.push_back(key);
+  return keys;
+}
+
+// The function of `plate`, `plate.left` or `domain`, given the shape or the domain.
+Field omega_of(const Region& region, const std::string& name) {
+  for (const auto& primitive : region.primitives())
+    if (primitive->name == name) return primitive->function;
+  return implicit(region);
+}
+
+bool has_side(const Region& region, const std::string& name) {
+  return std::ranges::any_of(region.primitives(),
+                             [&](const auto& primitive) { return primitive->name == name; });
+}
+
+std::string shape_of_side(const std::string& name) { return name.substr(0, name.find('.')); }
+
+}  // namespace
+
+ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values)
+    : root_(root), values_(values) {
+  values_.scope.define_function("omega", omega());
+  const DocumentNode* geometry = values_.find(root_, "geometry");
+  const DocumentNode* shapes = geometry ? values_.find(*geometry, "shapes") : nullptr;
+  if (!shapes) return;
+  for (const DocumentNode::Entry& entry : shapes->entries) {
+    const std::string objection = objection_to_name(entry.key);
+    if (!objection.empty()) values_.mistakes.add(objection, entry.key_place);
+    nodes_.emplace(entry.key, &entry.value);
+    key_places_.emplace(entry.key, entry.key_place);
+  }
+}
+
+// Formulas of the file keep no way back to this reader.
+ShapeReader::~ShapeReader() { values_.scope.define_function("omega", final_omega()); }
+
+void ShapeReader::read_all() {
+  for (const auto& [name, node] : nodes_) {
+    DocumentNode named;
+    named.text = name;
+    named.place = key_places_.at(name);
+    values_.guarded<bool>(named, [&] {
+      built(name, 0);
+      return true;
+    });
+  }
+  const DocumentNode* geometry = values_.find(root_, "geometry");
+  const DocumentNode* text = geometry ? values_.find(*geometry, "domain") : nullptr;
+  if (text) domain_ = region(*text);
+}
+
+Region ShapeReader::shape(const BooleanText::Name& name) {
+  mark_used(name.name);
+  return built(name.name, name.offset);
+}
+
+void ShapeReader::mark_used(const std::string& shape) {
+  names_in_[building_.empty() ? "" : building_.back()].insert(shape);
+}
+
+std::optional<Region> ShapeReader::region(const DocumentNode& node) {
+  if (!values_.fits(node) || !node.is_scalar()) return std::nullopt;
+  return values_.guarded<Region>(node, [&] {
+    return BooleanText(node.text).region([&](const BooleanText::Name& name) {
+      return shape(name);
+    });
+  });
+}
+
+const Region& ShapeReader::built(const std::string& name, std::size_t offset) {
+  if (const auto known = built_.find(name); known != built_.end()) return known->second;
+  const auto node = nodes_.find(name);
+  if (node == nodes_.end()) {
+    const std::string shape = shape_of_side(name);
+    if (shape != name && nodes_.contains(shape))
+      throw InputError("'" + name + "' is a side of '" + shape + "': a shape is needed here", offset,
+                       name.size());
+    throw InputError("unknown shape '" + name + "'" + did_you_mean(name, keys_of(nodes_)), offset,
+                     name.size());
+  }
+  if (const auto outer = std::ranges::find(building_, name); outer != building_.end()) {
+    std::string cycle;
+    for (auto step = outer; step != building_.end(); ++step) cycle += *step + " -> ";
+    throw InputError("a shape that contains itself: " + cycle + name, offset, name.size());
+  }
+  if (building_.size() == deepest_shapes)
+    throw InputError("shapes name each other more than " + std::to_string(deepest_shapes) +
+                         " deep",
+                     offset, name.size());
+  building_.push_back(name);
+  Region region = build(name, *node->second);
+  building_.pop_back();
+  return built_.emplace(name, std::move(region)).first->second;
+}
+
+Region ShapeReader::build(const std::string& name, const DocumentNode& node) {
+  if (values_.fits(node))
+    for (const DocumentNode::Entry& entry : node.entries)
+      if (values_.fits(entry.value)) {
+        const Region region = build_kind(entry.key, entry.value);
+        // Sides keep the names of the shapes they come from.
+        return entry.key == "combine" ? region : region.named(name);
+      }
+  return circle({0, 0}, 1).named(name);
+}
+
+Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node) {
+  const auto number = [&](const char* key, double otherwise) {
+    const DocumentNode* value = values_.find(node, key);
+    return value ? values_.number(*value).value_or(otherwise) : otherwise;
+  };
+  const auto point = [&](const char* key, const Point& otherwise) {
+    const DocumentNode* value = values_.find(node, key);
+    return value ? values_.point(*value).value_or(otherwise) : otherwise;
+  };
+  if (kind == "half_plane") {
+    Point normal = point("normal", {1, 0});
+    if (normal[0] == 0 && normal[1] == 0) {
+      values_.mistakes.add("a normal of length 0 has no direction", node.find("normal")->place);
+      normal = {1, 0};
+    }
+    return half_plane(point("point", {0, 0}), normal);
+  }
+  if (kind == "circle") return circle(point("center", {0, 0}), number("radius", 1));
+  if (kind == "ellipse")
+    return ellipse(point("center", {0, 0}), point("radii", {1, 1}),
+                   number("angle", 0) * std::numbers::pi / 180);
+  if (kind == "box") {
+    const Box corners = values_.box(node).value_or(Box{values_.dimension, {0, 0, 0}, {1, 1, 1}});
+    return box(corners.low, corners.high, values_.dimension);
+  }
+  if (kind == "expression")
+    return level_set(values_.field(node).value_or(x_coordinate()), values_.dimension);
+  if (kind == "combine") return region(node).value_or(circle({0, 0}, 1).named(building_.back()));
+  throw InvalidArgument("shapes of kind " + kind + " cannot be built");
+}
+
+ExpressionFunction ShapeReader::omega() {
+  const auto value = [this](std::span<const ExpressionArgument> arguments) -> ExpressionValue {
+    const ExpressionArgument& argument = arguments[0];
+    if (argument.text == "domain") {
+      if (!building_.empty())
+        throw InputError("a shape cannot name the domain it is part of", argument.offset,
+                         argument.length);
+      return domain_ ? implicit(*domain_) : Field(1.0);
+    }
+    const bool is_side = !nodes_.contains(argument.text);
+    const std::string name = is_side ? shape_of_side(argument.text) : argument.text;
+    mark_used(name);
+    const Region& region = built(name, argument.offset);
+    if (is_side && !has_side(region, argument.text))
+      throw InputError("'" + name + "' has no side '" + argument.text.substr(name.size() + 1) + "'",
+                       argument.offset, argument.length);
+    return omega_of(region, argument.text);
+  };
+  return {1, 1, value, true};
+}
+
+ExpressionFunction ShapeReader::final_omega() const {
+  const auto value = [shapes = built_, domain = domain_](
+                         std::span<const ExpressionArgument> arguments) -> ExpressionValue {
+    const std::string& name = arguments[0].text;
+    if (name == "domain" && domain) return implicit(*domain);
+    const auto shape = shapes.find(shapes.contains(name) ? name : shape_of_side(name));
+    if (shape == shapes.end())
+      throw InputError("unknown shape '" + name + "'" + did_you_mean(name, keys_of(shapes)),
+                       arguments[0].offset, arguments[0].length);
+    return omega_of(shape->second, name);
+  };
+  return {1, 1, value, true};
+}
+
+void ShapeReader::report_unused() {
+  std::set<std::string> used;
+  std::vector<std::string> pending = {""};
+  while (!pending.empty()) {
+    const std::string user = pending.back();
+    pending.pop_back();
+    for (const std::string& name : names_in_[user])
+      if (used.insert(name).second) pending.push_back(name);
+  }
+  const bool is_sound = values_.mistakes.empty();
+  for (const auto& [name, place] : key_places_)
+    if (!used.contains(name) && (is_sound || !names_word(root_, name)))
+      values_.mistakes.add("the shape '" + name + "' is not used", place);
+}
+
+}  // namespace rfm

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "core/boolean_text.hpp"
+#include "core/region.hpp"
+#include "problems/value_reader.hpp"
+
+namespace rfm {
+
+/// Reads `geometry.shapes` and the domain. Shapes are built when they are first named, since they may
+/// name each other in any order: `combine`, and `omega(name)` in formulas. Gives `omega` its meaning
+/// in the scope of `values`.
+class ShapeReader {
+ public:
+  /// Both must outlive the reader.
+  ShapeReader(const DocumentNode& root, ValueReader& values);
+  ~ShapeReader();
+
+  /// Builds what has not been named yet, and the domain.
+  void read_all();
+  /// The shape that a text names. Throws `InputError` if there is none, or if it contains itself.
+  Region shape(const BooleanText::Name& name);
+  /// A Boolean expression of shapes; their mistakes are reported.
+  std::optional<Region> region(const DocumentNode& node);
+  /// To be called for shapes that are named other than in texts given to `region`.
+  void mark_used(const std::string& shape);
+  /// Shapes that neither the domain nor a used shape nor `mark_used` names are mistakes. In a document
+  /// with other mistakes only those that no text of it names.
+  void report_unused();
+
+  /// Shapes that were built; those with mistakes are stand-ins of the same kind.
+  const std::map<std::string, Region>& shapes() const { return built_; }
+  /// Nothing if the domain has a mistake.
+  const std::optional<Region>& domain() const { return domain_; }
+  /// `omega(name)` without this reader, for the problem.
+  ExpressionFunction final_omega() const;
+
+ private:
+  const Region& built(const std::string& name, std::size_t offset);
+  Region build(const std::string& name, const DocumentNode& node);
+  Region build_kind(const std::string& kind, const DocumentNode& node);
+  ExpressionFunction omega();
+
+  const DocumentNode& root_;
+  ValueReader& values_;
+  std::map<std::string, const DocumentNode*> nodes_;
+  std::map<std::string, Place> key_places_;
+  std::map<std::string, Region> built_;
+  std::vector<std::string> building_;
+  std::map<std::string, std::set<std::string>> names_in_;  ///< "": named outside of shapes
+  std::optional<Region> domain_;
+};
+
+}  // namespace rfm

@@ -1,0 +1,157 @@
+#include "problems/summary.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+namespace rfm {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json as_json(const ProbeValue& value) {
+  if (value.is_vector) return value.components;
+  return value.components[0];
+}
+
+ordered_json as_json(const Point& point, int dimension) {
+  return std::vector<double>(point.begin(), point.begin() + dimension);
+}
+
+ordered_json as_json(const SolutionErrors& errors) {
+  return {{"L2", errors.l2},
+          {"L2_relative", errors.l2_relative},
+          {"H1", errors.h1},
+          {"H1_relative", errors.h1_relative},
+          {"max", errors.maximum}};
+}
+
+// Peak resident memory of the process.
+long peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
+void add_probes(ordered_json& summary, const std::vector<ProbeResult>& probes, int dimension) {
+  for (const ProbeResult& result : probes) {
+    ordered_json& entry = summary["probes"];
+    switch (result.probe->kind) {
+      case Probe::Kind::point:
+        for (const ProbeValue& value : result.values)
+          entry[result.probe->name][value.name] = as_json(value);
+        break;
+      case Probe::Kind::line:
+        break;  // probes.csv
+      case Probe::Kind::max:
+      case Probe::Kind::min:
+        entry[result.probe->name] = as_json(result.values[0]);
+        entry[result.probe->name + "_at"] = as_json(result.at, dimension);
+        break;
+      default:
+        entry[result.probe->name] = as_json(result.values[0]);
+    }
+  }
+}
+
+std::string method_name(LinearSolution::Method method) {
+  switch (method) {
+    case LinearSolution::Method::cholesky:
+      return "cholesky";
+    case LinearSolution::Method::ldlt:
+      return "ldlt";
+    default:
+      return "conjugate_gradient";
+  }
+}
+
+}  // namespace
+
+bool RunReport::all_ok() const {
+  return std::ranges::all_of(orders, &OrderCheck::ok) &&
+         std::ranges::all_of(expectations, &ExpectationResult::ok);
+}
+
+std::string version() { return RFM_VERSION; }
+
+ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& solution,
+                          const RunReport& report) {
+  const Problem& file = problem.problem();
+  const QuadratureReport& quadrature = solution.rule.report();
+  ordered_json summary;
+  summary["problem"] = file.file;
+  if (!file.title.empty()) summary["title"] = file.title;
+  summary["status"] = "ok";
+  summary["version"] = version();
+  summary["unknowns"] = solution.unknowns;
+  summary["cells"] = {{"inside", quadrature.inside_cells},
+                      {"cut", quadrature.cut_cells},
+                      {"smallest_cut", quadrature.smallest_cut_fraction}};
+  ordered_json& measures = summary["measures"];
+  measures["domain"] = solution.rule.measure();
+  measures["boundary_total"] = solution.rule.boundary_measure();
+  for (int k : problem.bounding_primitives())
+    measures["boundary"][problem.region().region().primitives()[k]->name] =
+        solution.rule.boundary_measure(k);
+  summary["energy"] = solution.energy;
+  summary["boundary_residual"] = solution.boundary_residual;
+  if (report.errors) summary["errors"]["u"] = as_json(*report.errors);
+  add_probes(summary, report.probes, file.dimension);
+  for (const ConvergenceRow& row : report.convergence) {
+    ordered_json entry{{"cells", row.cells}, {"unknowns", row.unknowns}};
+    if (row.errors) entry.update(as_json(*row.errors));
+    if (row.change) entry["change_L2_relative"] = *row.change;
+    summary["convergence"].push_back(std::move(entry));
+  }
+  for (const RunReport::OrderCheck& check : report.orders) {
+    ordered_json entry{{"norm", check.norm}, {"order", check.order}, {"minimum", check.bounds.least}};
+    if (check.bounds.most) entry["maximum"] = *check.bounds.most;
+    entry["ok"] = check.ok;
+    summary["orders"].push_back(std::move(entry));
+  }
+  summary["trust"] = {{"divergence_defect", quadrature.divergence_defect},
+                      {"uncertified_measure", quadrature.uncertified.measure},
+                      {"linear_residual", solution.linear.relative_residual},
+                      {"linear_solver", method_name(solution.linear.method)},
+                      {"dropped_splines", solution.linear.dropped}};
+  summary["weight"] = problem.dirichlet().weight.formula;
+  const RunReport::Seconds& seconds = report.seconds;
+  summary["seconds"] = {{"read", seconds.read},           {"prepare", seconds.prepare},
+                        {"quadrature", seconds.quadrature}, {"assembly", seconds.assembly},
+                        {"solve", seconds.solve},         {"verify", seconds.verify},
+                        {"output", seconds.output},       {"total", seconds.total}};
+  summary["peak_memory_mb"] = peak_memory_mb();
+  return summary;
+}
+
+void add_expectations(ordered_json& summary, const RunReport& report) {
+  for (const ExpectationResult& result : report.expectations)
+    summary["expect"].push_back({{"quantity", result.quantity},
+                                 {"value", result.value},
+                                 {"expected", result.expected},
+                                 {"relative_error", result.relative_error},
+                                 {"ok", result.ok}});
+}
+
+std::string probes_csv(const std::vector<ProbeResult>& probes) {
+  std::string text;
+  for (const ProbeResult& result : probes) {
+    if (result.probe->kind != Probe::Kind::line || result.line_values.empty()) continue;
+    text += "probe,x,y,z";
+    for (const ProbeValue& value : result.line_values[0])
+      for (std::size_t c = 0; c < value.components.size(); ++c)
+        text += fmt::format(",\"{}{}\"", value.name, value.is_vector ? fmt::format("[{}]", c) : "");
+    text += "\n";
+    for (std::size_t i = 0; i < result.line_points.size(); ++i) {
+      const Point& at = result.line_points[i];
+      text += fmt::format("{},{},{},{}", result.probe->name, at[0], at[1], at[2]);
+      for (const ProbeValue& value : result.line_values[i])
+        for (const double component : value.components) text += fmt::format(",{}", component);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace rfm

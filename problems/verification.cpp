@@ -1,0 +1,84 @@
+#include "problems/verification.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "solvers/integrate.hpp"
+
+namespace rfm {
+
+double SolutionErrors::by_name(const std::string& norm) const {
+  if (norm == "L2") return l2;
+  if (norm == "H1") return h1;
+  if (norm == "max") return maximum;
+  throw InvalidArgument("there is no norm '" + norm + "'; expected L2, H1 or max");
+}
+
+SolutionErrors solution_errors(const ScalarProblem& problem, const Grid& grid, const Field& u,
+                               const Field& exact) {
+  const DomainRule rule = problem.rule(grid, 2);
+  const Field difference = u - exact;
+  const FieldNorms error = norms(difference, rule), size = norms(exact, rule);
+  const auto relative = [](double part, double whole) { return whole > 0 ? part / whole : part; };
+  SolutionErrors errors;
+  errors.l2 = error.l2;
+  errors.l2_relative = relative(error.l2, size.l2);
+  errors.h1 = error.h1_seminorm;
+  errors.h1_relative = relative(error.h1_seminorm, size.h1_seminorm);
+  errors.maximum =
+      std::max(error.maximum, maximum(difference, rule, {Contribution::Place::boundary}));
+  return errors;
+}
+
+double observed_order(double coarse_error, double fine_error, int coarse_cells, int fine_cells) {
+  return std::log(coarse_error / fine_error) / std::log(double(fine_cells) / coarse_cells);
+}
+
+std::optional<double> find_quantity(const nlohmann::ordered_json& summary,
+                                    const std::string& path) {
+  if (summary.is_number() && path.empty()) return summary.get<double>();
+  if (summary.is_null() && path.empty()) return std::nan("");  // JSON has no NaN
+  if (summary.is_array() && path.starts_with('[')) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(path.data() + 1, path.data() + path.size(), index);
+    if (error != std::errc() || end == path.data() + path.size() || *end != ']') return {};
+    if (index >= summary.size()) return {};
+    std::string rest(end + 1, path.data() + path.size());
+    if (rest.starts_with('.')) rest.erase(0, 1);
+    return find_quantity(summary[index], rest);
+  }
+  if (!summary.is_object()) return {};
+  // The longest key that the path begins with, so that texts with dots may be keys.
+  std::optional<double> found;
+  std::size_t longest = 0;
+  for (const auto& [key, value] : summary.items()) {
+    if (!path.starts_with(key) || (found && key.size() <= longest)) continue;
+    std::string rest = path.substr(key.size());
+    if (rest.starts_with('.'))
+      rest.erase(0, 1);
+    else if (!rest.empty() && !rest.starts_with('['))
+      continue;
+    if (const auto number = find_quantity(value, rest)) {
+      found = number;
+      longest = key.size();
+    }
+  }
+  return found;
+}
+
+ExpectationResult check(const Expectation& expectation, double value) {
+  ExpectationResult result{expectation.quantity, value, expectation.value, 0, false};
+  const double absolute = std::fabs(value - expectation.value);
+  result.relative_error =
+      expectation.value != 0 ? absolute / std::fabs(expectation.value) : absolute;
+  const bool none = !expectation.tolerance && !expectation.relative_tolerance;
+  const double relative_tolerance = expectation.relative_tolerance.value_or(none ? 1e-6 : -1);
+  result.ok = absolute <= expectation.tolerance.value_or(-1) ||
+              absolute <= relative_tolerance * std::fabs(expectation.value) ||
+              (none && expectation.value == 0 && absolute <= 1e-6);
+  return result;
+}
+
+}  // namespace rfm

@@ -1,0 +1,155 @@
+#include "quadrature/cell_classification.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "quadrature/surface_candidates.hpp"
+
+namespace rfm {
+namespace {
+
+double quadrature_line(const Grid& grid, int axis, int index) {
+  const Box& box = grid.box();
+  const double margin =
+      0x1p-40 * box.longest_side() + 0x1p-50 * box.interval(axis).magnitude();
+  const double line = grid.line(axis, index);
+  return index == 0 ? line - margin : index == grid.cells(axis) ? line + margin : line;
+}
+
+// The cells begin[axis] ≤ index < end[axis].
+struct Block {
+  std::array<int, 3> begin{0, 0, 0};
+  std::array<int, 3> end{1, 1, 1};
+
+  bool is_cell() const {
+    return end[0] - begin[0] == 1 && end[1] - begin[1] == 1 && end[2] - begin[2] == 1;
+  }
+  // Both halves of the axis along which the block has most cells.
+  std::array<Block, 2> halves() const {
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+      if (end[other] - begin[other] > end[axis] - begin[axis]) axis = other;
+    std::array<Block, 2> result{*this, *this};
+    result[0].end[axis] = result[1].begin[axis] = (begin[axis] + end[axis]) / 2;
+    return result;
+  }
+};
+
+Box block_box(const Grid& grid, const Block& block) {
+  Box box;
+  box.dimension = grid.dimension();
+  for (int axis = 0; axis < box.dimension; ++axis) {
+    box.low[axis] = quadrature_line(grid, axis, block.begin[axis]);
+    box.high[axis] = quadrature_line(grid, axis, block.end[axis]);
+  }
+  return box;
+}
+
+}  // namespace
+
+Box quadrature_cell(const Grid& grid, const std::array<int, 3>& position) {
+  Block block;
+  for (int axis = 0; axis < grid.dimension(); ++axis) {
+    block.begin[axis] = position[axis];
+    block.end[axis] = position[axis] + 1;
+  }
+  return block_box(grid, block);
+}
+
+class CellClassifier {
+ public:
+  CellClassifier(const RegionEvaluator& region, const Grid& grid,
+                 std::span<const LevelFunction> interfaces)
+      : region_(region), grid_(grid), interfaces_(interfaces) {}
+
+  CellClassification run() {
+    result_.states.assign(grid_.cell_count(), CellState::outside);
+    Block all;
+    for (int axis = 0; axis < grid_.dimension(); ++axis) all.end[axis] = grid_.cells(axis);
+    visit(all, SurfaceCandidates(region_, interfaces_));
+    sort_cut_cells();
+    return std::move(result_);
+  }
+
+ private:
+  // Splits `block` until every part is decided or a single cell.
+  void visit(const Block& block, SurfaceCandidates candidates) {
+    const Box box = block_box(grid_, block);
+    Truth inside = candidates.narrow(box, false, region_, interfaces_);
+    const auto is_decided = [&] {
+      return inside == Truth::no || (inside == Truth::yes && candidates.interfaces.empty());
+    };
+    if (block.is_cell() && !is_decided())
+      inside = candidates.narrow(box, true, region_, interfaces_);
+    if (is_decided()) return inside == Truth::yes ? fill(block) : void();
+    if (block.is_cell()) return add_cut_cell(block, candidates);
+    const auto halves = block.halves();
+    visit(halves[0], candidates);
+    visit(halves[1], std::move(candidates));
+  }
+
+  void fill(const Block& block) {
+    for (int k = block.begin[2]; k < block.end[2]; ++k)
+      for (int j = block.begin[1]; j < block.end[1]; ++j)
+        for (int i = block.begin[0]; i < block.end[0]; ++i)
+          result_.states[grid_.number({i, j, k})] = CellState::inside;
+  }
+
+  void add_cut_cell(const Block& block, SurfaceCandidates& candidates) {
+    TruthTable table(true);
+    const bool few =
+        candidates.primitives.size() <= static_cast<std::size_t>(TruthTable::max_variables);
+    if (few) {
+      table = candidates.make_table(region_.region().expression());
+      // Bounds see signs one by one; the table knows that w | !w is always true.
+      if (table.variable_count() == 0 && !table.value(0)) return;
+      if (table.variable_count() == 0 && candidates.interfaces.empty()) return fill(block);
+    }
+    const int cell = grid_.number(block.begin);
+    result_.states[cell] = CellState::cut;
+    result_.cut_cells.push_back(cell);
+    append(result_.primitives_, result_.primitive_begin_, candidates.primitives);
+    append(result_.interfaces_, result_.interface_begin_, candidates.interfaces);
+    append(result_.words_, result_.word_begin_,
+           few ? table.words() : std::span<const std::uint64_t>());
+  }
+
+  template <class Value, class Range>
+  static void append(std::vector<Value>& values, std::vector<std::size_t>& begin,
+                     const Range& more) {
+    values.insert(values.end(), more.begin(), more.end());
+    begin.push_back(values.size());
+  }
+
+  // The tree meets cells in its own order.
+  void sort_cut_cells() {
+    std::vector<int> order(result_.cut_cells.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](int i) { return result_.cut_cells[i]; });
+    CellClassification sorted;
+    sorted.states = std::move(result_.states);
+    for (const int i : order) {
+      sorted.cut_cells.push_back(result_.cut_cells[i]);
+      append(sorted.primitives_, sorted.primitive_begin_, result_.primitives(i));
+      append(sorted.interfaces_, sorted.interface_begin_, result_.interfaces(i));
+      append(sorted.words_, sorted.word_begin_,
+             CellClassification::range(result_.words_, result_.word_begin_, i));
+    }
+    result_ = std::move(sorted);
+  }
+
+  const RegionEvaluator& region_;
+  const Grid& grid_;
+  std::span<const LevelFunction> interfaces_;
+  CellClassification result_;
+};
+
+CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,
+                                  std::span<const LevelFunction> interfaces) {
+  if (region.dimension() != grid.dimension())
+    throw InvalidArgument("region and grid differ in dimension");
+  return CellClassifier(region, grid, interfaces).run();
+}
+
+}  // namespace rfm

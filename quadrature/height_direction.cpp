@@ -1,0 +1,54 @@
+#include "quadrature/height_direction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rfm {
+namespace {
+
+// A graph is preferred to a surface independent of the axis only when nearly as good.
+constexpr double independent_score = 0.999;
+
+double middle_magnitude(const Interval& interval) {
+  const double middle = std::fabs(interval.middle());
+  return std::isfinite(middle) ? middle : 0.0;
+}
+
+}  // namespace
+
+HeightDirection choose_height(const Box& box, std::span<const FunctionBounds> surfaces,
+                              double flatness) {
+  HeightDirection choice;
+  double best = -1, nearest = -1;
+  for (int axis = 0; axis < box.dimension; ++axis) {
+    bool serves = true;
+    double score = 1, guess = 1;
+    for (const FunctionBounds& surface : surfaces) {
+      const Interval& along = surface.gradient[axis];
+      serves &= surface.smooth;
+      if (along.is_zero()) {
+        score = std::min(score, independent_score);
+        continue;
+      }
+      double total = 1e-300, across = 0;
+      for (int other = 0; other < box.dimension; ++other) {
+        total += middle_magnitude(surface.gradient[other]) * box.length(other);
+        if (other != axis) across = std::max(across, surface.gradient[other].magnitude());
+      }
+      serves &= along.excludes_zero() && along.mignitude() >= flatness * across;
+      score = std::min(score, along.mignitude() * box.length(axis) / total);
+      guess = std::min(guess, middle_magnitude(along) * box.length(axis) / total);
+    }
+    if (serves && score > best) {
+      best = score;
+      choice.proven = axis;
+    }
+    if (guess > nearest) {
+      nearest = guess;
+      choice.likely = axis;
+    }
+  }
+  return choice;
+}
+
+}  // namespace rfm

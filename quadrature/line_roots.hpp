@@ -1,0 +1,142 @@
+#pragma once
+
+#include <algorithm>
+
+#include "quadrature/active_set.hpp"
+
+namespace rfm {
+
+/// The segment of a line parallel to `axis` through `through`.
+struct LineSegment {
+  Point through{};
+  int axis = 0;
+  double low = 0;
+  double high = 0;
+
+  Point at(double t) const {
+    Point point = through;
+    point[axis] = t;
+    return point;
+  }
+};
+
+/// Where a surface crosses a segment on which it is monotone; where it does not, the end nearer to
+/// zero.
+struct Crossing {
+  double position = 0;
+  bool exists = false;
+  /// Sign at the low end.
+  bool starts_positive = false;
+};
+Crossing find_crossing(const Surface& surface, const LineSegment& line);
+
+/// The crossings of all surfaces with a segment, ascending, and the signs at its low end.
+struct LineRoots {
+  int count = 0;
+  SurfaceSigns start = 0;
+  std::array<double, ActiveSet::capacity> positions{};
+  std::array<int, ActiveSet::capacity> surfaces{};
+};
+/// Surfaces of `parallel` do not depend on the coordinate along the line: their sign is taken at
+/// its middle.
+LineRoots find_line_roots(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line);
+
+/// An end of a part of a line: at a surface of the active set, or at an end of the segment.
+struct LineEnd {
+  static constexpr int segment_end = -1;
+  double position = 0;
+  int surface = segment_end;
+};
+/// A place on a line where the region begins or ends, or where an interface crosses its inside.
+struct LineCrossing {
+  double position = 0;
+  int surface = 0;
+  bool interface = false;
+  /// Whether the region begins here, going up.
+  bool begins = false;
+  /// Whether the inside is where the surface is positive (true at interfaces).
+  bool inside_is_positive = true;
+};
+
+/// Walks along a segment and looks up what is inside: `on_part(LineEnd, LineEnd)` for each maximal
+/// part inside that no interface cuts, `on_crossing(LineCrossing)` for each crossing, in ascending
+/// order. Roots nearer than 1e-13 of the segment are one cluster, whose total effect counts:
+/// coincident surfaces appear once, w and −w leave no crack. Parts of length zero at an end still
+/// count as states, so that with sign(0) = + a face on a side shared by cells is met exactly once.
+template <class OnPart, class OnCrossing>
+void walk_line(const ActiveSet& active, const LineRoots& roots, const LineSegment& line,
+               OnPart&& on_part, OnCrossing&& on_crossing) {
+  const double cluster = 1e-13 * (line.high - line.low);
+  SurfaceSigns signs = roots.start;
+  bool inside = active.inside(signs);
+  LineEnd from{line.low, LineEnd::segment_end};
+  const auto finish = [&](const LineEnd& to) {
+    if (inside && to.position > from.position) on_part(from, to);
+  };
+  for (int next = 0; next < roots.count;) {
+    const int first = next;
+    const double position = roots.positions[first];
+    int decisive = -1, interface = -1;
+    SurfaceSigns after = signs;
+    for (; next < roots.count && roots.positions[next] - position <= cluster; ++next) {
+      const int surface = roots.surfaces[next];
+      after ^= 1u << surface;
+      if (active.is_interface(surface)) interface = surface;
+      if (decisive < 0 && active.inside(after) != inside) decisive = surface;
+    }
+    const bool inside_after = active.inside(after);
+    if (inside_after != inside) {
+      finish({position, decisive});
+      on_crossing(LineCrossing{position, decisive, false, inside_after,
+                               inside_after == static_cast<bool>(after >> decisive & 1)});
+      from = {position, decisive};
+    } else if (inside && interface >= 0 && ((signs ^ after) >> interface & 1)) {
+      finish({position, interface});
+      on_crossing(LineCrossing{position, interface, true, true, true});
+      from = {position, interface};
+    }
+    signs = after;
+    inside = inside_after;
+  }
+  finish({line.high, LineEnd::segment_end});
+}
+
+/// A part of a line in a surface that is parallel to the line, on which the region begins or ends.
+struct WallPart {
+  double from = 0;
+  double to = 0;
+  int surface = 0;
+  bool inside_is_positive = true;
+};
+
+/// Walks along a segment within surfaces that are parallel to it: `left` and `right` are the signs
+/// of the surfaces `parallel` on both sides, and `on_part(WallPart)` is called where the two states
+/// differ or where an interface stands inside. `roots` are the crossings of the other surfaces.
+template <class OnPart>
+void walk_wall(const ActiveSet& active, const LineRoots& roots, SurfaceSigns parallel,
+               const LineSegment& line, SurfaceSigns left, SurfaceSigns right, OnPart&& on_part) {
+  SurfaceSigns signs = roots.start & ~parallel;
+  const auto part = [&](double from, double to) {
+    if (!(to > from)) return;
+    SurfaceSigns current = signs | left;
+    const bool inside_left = active.inside(current), inside_right = active.inside(signs | right);
+    for (int surface = 0; surface < active.count; ++surface) {
+      if (!((left ^ right) >> surface & 1)) continue;
+      current ^= 1u << surface;
+      if (inside_left != inside_right && active.inside(current) != inside_left)
+        return on_part(
+            WallPart{from, to, surface, inside_right == static_cast<bool>(right >> surface & 1)});
+      if (inside_left && inside_right && active.is_interface(surface))
+        return on_part(WallPart{from, to, surface, true});
+    }
+  };
+  double from = line.low;
+  for (int i = 0; i < roots.count; ++i) {
+    part(from, roots.positions[i]);
+    signs ^= 1u << roots.surfaces[i];
+    from = std::max(from, roots.positions[i]);
+  }
+  part(from, line.high);
+}
+
+}  // namespace rfm

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/region.hpp"
+#include "quadrature/truth_table.hpp"
+
+namespace rfm {
+
+/// The primitives and interfaces that may matter in a box: their sign there is not known, and the
+/// region (or the inside) depends on it. Smaller boxes inherit and narrow the lists.
+struct SurfaceCandidates {
+  /// What is known of the sign of every primitive.
+  std::vector<Truth> signs;
+  std::vector<int> primitives;
+  std::vector<int> interfaces;
+
+  SurfaceCandidates() = default;
+  /// Nothing known yet.
+  SurfaceCandidates(const RegionEvaluator& region, std::span<const LevelFunction> interface_levels);
+
+  /// Whether `box` is inside (an unknown answer leaves primitives; interfaces may be left unless it
+  /// is no). `tight` asks for the better and dearer bounds.
+  Truth narrow(const Box& box, bool tight, const RegionEvaluator& region,
+               std::span<const LevelFunction> interface_levels);
+  /// The region as a function of the primitives left, those on which it does not depend dropped.
+  /// There may be at most `TruthTable::max_variables`.
+  TruthTable make_table(const BooleanExpression& expression);
+};
+
+}  // namespace rfm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "basis/tensor_product_space.hpp"
+#include "quadrature/domain_rule.hpp"
+#include "solution_structures/structure.hpp"
+#include "solvers/integrand.hpp"
+#include "solvers/linear_system.hpp"
+
+namespace rfm {
+
+/// Values of what the coefficients of a problem may depend on beside the coordinates.
+struct FieldArguments {
+  double time = 0;
+  std::vector<double> parameters{};
+};
+
+/// One flag per cell of the grid: whether the region meets it, for the spaces of a problem.
+std::vector<std::uint8_t> cells_in_region(const DomainRule& rule);
+
+/// The quadratic energy Σ ∫ (½ dᵀ C d − bᵀ d) as a function of the coefficients of the undetermined
+/// functions:
+///
+/// - `structures[c]` is component c of the solution, affine in the undetermined functions;
+/// - `spaces[k]` holds undetermined function k; all share the grid of `rule`, degrees may differ;
+/// - `contributions` are integrated with `rule`: those over the volume with its points in cells,
+///   those over the boundary with its boundary points.
+///
+/// The matrix is symmetric (its lower triangle is returned); unknowns are ordered function by
+/// function. Parallel over tiles of cells; the result does not depend on the number of threads.
+/// Cost in the plane, degree 3: about a microsecond per cell and slot.
+/// Throws `InvalidArgument` when grids differ or an unknown or component does not exist, and
+/// `ComputationError`, with the point and the name of the quantity, where a coefficient is not
+/// finite.
+LinearSystem assemble(std::span<const Structure> structures,
+                      std::span<const TensorProductSpace> spaces,
+                      std::span<const Contribution> contributions, const DomainRule& rule,
+                      const FieldArguments& arguments = {});
+
+}  // namespace rfm

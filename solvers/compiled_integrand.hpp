@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/tape.hpp"
+#include "solution_structures/structure.hpp"
+#include "solvers/integrand.hpp"
+
+namespace rfm {
+
+/// A quadratic energy of u with the solution structure put in: the slots are affine in derivatives
+/// of the undetermined functions,
+///
+///     d_s = g_s + Σ_m M_{s,m} ∂^{β_m} Ψ_{k_m},
+///
+/// and the coefficients M, g, C, b are the roots of one tape. Which of them vanish or are constant
+/// is known here, once; at points of quadrature there are only arrays of numbers.
+class CompiledIntegrand {
+ public:
+  /// A derivative ∂^derivative Ψ_unknown that occurs.
+  struct BasisDerivative {
+    int unknown = 0;
+    MultiIndex derivative{};
+  };
+  /// M_{slot, basis derivative} as a number of a scalar.
+  struct MapEntry {
+    int slot = 0, basis_derivative = 0, scalar = 0;
+  };
+  struct NormalTerm {
+    MultiIndex normal{};
+    int scalar = 0;
+  };
+  struct StiffnessEntry {
+    int row = 0, column = 0;
+    std::vector<NormalTerm> terms;
+  };
+  struct LoadEntry {
+    int slot = 0;
+    std::vector<NormalTerm> terms;
+  };
+  /// An array of values over points: a root of the tape or a constant.
+  struct Scalar {
+    int root = -1;
+    double constant = 0;
+    std::string name;  // for messages
+  };
+
+  /// `structures[c]` is component c. Throws `InvalidArgument` when a slot asks for a component that
+  /// does not exist, or normals occur in the volume.
+  CompiledIntegrand(const Contribution& contribution, std::span<const Structure> structures,
+                    int dimension);
+
+  const Contribution& contribution() const { return contribution_; }
+  int slot_count() const { return static_cast<int>(inhomogeneous_.size()); }
+  const std::vector<BasisDerivative>& basis_derivatives() const { return basis_derivatives_; }
+  const std::vector<MapEntry>& map() const { return map_; }
+  /// g_s as a scalar, or −1 if it vanishes.
+  const std::vector<int>& inhomogeneous() const { return inhomogeneous_; }
+  const std::vector<StiffnessEntry>& stiffness() const { return stiffness_; }
+  const std::vector<LoadEntry>& load() const { return load_; }
+  /// The field that must be ≥ 0, or −1.
+  int where() const { return where_; }
+  const std::vector<Scalar>& scalars() const { return scalars_; }
+  const Tape& tape() const { return *tape_; }
+
+ private:
+  int scalar(const Field& field, const std::string& name, std::vector<Field>& roots);
+  int basis_derivative(int unknown, const MultiIndex& derivative);
+
+  Contribution contribution_;
+  std::vector<BasisDerivative> basis_derivatives_;
+  std::vector<MapEntry> map_;
+  std::vector<int> inhomogeneous_;
+  std::vector<StiffnessEntry> stiffness_;
+  std::vector<LoadEntry> load_;
+  int where_ = -1;
+  std::vector<Scalar> scalars_;
+  std::unique_ptr<const Tape> tape_;
+};
+
+/// Points at which an integrand is evaluated; `normals` are empty in the volume.
+struct IntegrandPoints {
+  std::array<std::vector<double>, 3> coordinates, normals;
+  std::vector<double> weights;
+
+  int size() const { return static_cast<int>(weights.size()); }
+  void clear();
+};
+
+/// The coefficients of a compiled integrand at a set of points, with the weights of quadrature put
+/// in. One per thread.
+class IntegrandValues {
+ public:
+  IntegrandValues(const CompiledIntegrand& integrand, int capacity);
+
+  /// Evaluates everything at up to `capacity` points; weights become zero where the contribution is
+  /// restricted. Throws `ComputationError` naming the coefficient and the point where a value is
+  /// not finite.
+  void evaluate(IntegrandPoints& points, double time, std::span<const double> parameters);
+
+  /// M entry `entry` at all points.
+  const double* map(int entry) const { return scalar(integrand_.map()[entry].scalar); }
+  /// w C entry `entry`.
+  const double* stiffness(int entry) const { return &stiffness_[std::size_t(entry) * capacity_]; }
+  /// w Σ_s M_{s,m} (b_s − Σ_t C_{s,t} g_t): what multiplies ∂^{β_m} Ψ in the right-hand side.
+  const double* load(int basis_derivative) const {
+    return &load_[std::size_t(basis_derivative) * capacity_];
+  }
+  bool has_load() const { return has_load_; }
+  /// Σ w (½ gᵀ C g − bᵀ g) over the points first … last − 1.
+  double constant(int first, int last) const;
+
+ private:
+  const double* scalar(int number) const { return &scalars_[std::size_t(number) * capacity_]; }
+  void restrict_to_where(IntegrandPoints& points);
+  void require_finite(const IntegrandPoints& points, int root_scalar) const;
+  void weigh(const IntegrandPoints& points, const std::vector<CompiledIntegrand::NormalTerm>& terms,
+             double* result) const;
+
+  const CompiledIntegrand& integrand_;
+  int capacity_;
+  bool has_load_ = false;
+  Tape::Workspace workspace_;
+  std::vector<double> scalars_, stiffness_, load_, slot_load_, constant_;
+};
+
+}  // namespace rfm

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "basis/tensor_product_space.hpp"
+#include "solvers/linear_system.hpp"
+
+namespace rfm {
+
+/// A symmetric matrix of splines under assembly. Two splines of a uniform grid interact only when
+/// their places differ by at most a degree, so every column is a small dense box of numbers, found
+/// without search:
+///
+///     column j (degree q):   rows at places j − q … j + p along each axis (degree p)
+///
+/// Only blocks below the diagonal are kept, and of the diagonal blocks the lines of the box from
+/// the centre on. Local matrices are added run by run along x; `compress` turns the boxes into
+/// the usual sparse columns.
+class StencilMatrix {
+ public:
+  /// The spaces of the undetermined functions, all on one grid; `coupled[k · n + l]` tells whether
+  /// functions k ≥ l interact at all. Throws `InvalidArgument` when the grids differ.
+  StencilMatrix(std::span<const TensorProductSpace> spaces, const std::vector<bool>& coupled);
+
+  /// Adds the interaction on one cell of the functions of `row_unknown` with those of
+  /// `column_unknown` ≤ `row_unknown`: entries local[b + a · stride] for local functions b (rows)
+  /// and a (columns), numbered with x fastest. For a function with itself only b ≥ a counts. Two
+  /// threads may add at once if their cells share no spline.
+  void add(int cell, int row_unknown, int column_unknown, const double* local, int stride);
+
+  /// The lower triangle.
+  SparseMatrix compress() const;
+
+  /// First unknown coefficient of each undetermined function, and their total number.
+  const std::vector<int>& offsets() const { return offsets_; }
+
+ private:
+  struct Block {
+    int row_unknown = 0, column_unknown = 0;
+    std::array<int, 3> width{1, 1, 1};
+    int first_line = 0;  // lines of the box before this one lie above the diagonal
+    std::size_t column_size = 0;
+    std::vector<double> values;
+  };
+  // Calls visit(row, value) for every stored entry of a column, rows ascending.
+  template <class Visit>
+  void visit_column(int unknown, int function, Visit&& visit) const;
+
+  std::span<const TensorProductSpace> spaces_;
+  std::vector<int> offsets_;
+  std::vector<Block> blocks_;
+  std::vector<int> block_number_;  // of (row unknown, column unknown), −1 if not coupled
+};
+
+}  // namespace rfm

@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+
+#include "quadrature/domain_rule.hpp"
+#include "tests/quadrature/regions.hpp"
+
+using namespace rfm;
+using namespace rfm::test;
+
+namespace {
+
+DomainRule rule_for(const Region& region, const Grid& grid) {
+  QuadratureOptions options;
+  options.inside_points = options.cut_points = 3;
+  return make_domain_rule(RegionEvaluator(region), grid, options);
+}
+
+// [−a, a]² from four half-planes, numbered right, left, top, bottom.
+Region box(double a) {
+  return half_plane(-1, 0, a) & half_plane(1, 0, a) & half_plane(0, -1, a) & half_plane(0, 1, a);
+}
+
+TEST(FacesOnGridLines, AreCountedOnce) {
+  for (const int cells : {4, 8, 16, 32}) {
+    const DomainRule rule = rule_for(box(1), grid(2, cells));
+    EXPECT_NEAR(rule.measure(), 4, 1e-15);
+    for (int side = 0; side < 4; ++side) EXPECT_NEAR(rule.boundary_measure(side), 2, 1e-15);
+    EXPECT_EQ(rule.report().inside_cells, cells * cells / 4);
+    EXPECT_EQ(rule.report().cut_cells, 0);
+    EXPECT_LT(rule.report().divergence_defect, 1e-14);
+  }
+}
+
+TEST(FacesOnGridLines, OfParabolasAreCertified) {
+  // 1 − y² vanishes identically on the side y = −1 of a cell.
+  const Region region = region_of(1 - square(x()), 2) & region_of(1 - square(y()), 2);
+  for (const double half : {1.0, 2.0}) {
+    const DomainRule rule = rule_for(region, grid(half, 4));
+    EXPECT_NEAR(rule.measure(), 4, 1e-14);
+    EXPECT_NEAR(rule.boundary_measure(0), 4, 1e-14);
+    EXPECT_NEAR(rule.boundary_measure(1), 4, 1e-14);
+    EXPECT_EQ(rule.report().uncertified.boxes, 0);
+  }
+}
+
+TEST(FacesOnGridLines, BelongToTheCellsInside) {
+  const DomainRule rule = rule_for(box(1), grid(2, 8));
+  for (const int cell : rule.boundary().cells) EXPECT_EQ(rule.state(cell), CellState::inside);
+  EXPECT_EQ(rule.boundary().cells.size(), 12u);
+}
+
+TEST(FacesOnGridLines, OnTheSidesOfTheGridAreSeen) {
+  for (const int cells : {1, 2, 5, 8}) {
+    const DomainRule rule = rule_for(box(1), grid(1, cells));
+    EXPECT_NEAR(rule.measure(), 4, 1e-14);
+    for (int side = 0; side < 4; ++side) EXPECT_NEAR(rule.boundary_measure(side), 2, 1e-14);
+    EXPECT_EQ(rule.report().inside_cells, cells * cells);
+    const SurfacePoints& points = rule.boundary().points;
+    for (int i = 0; i < points.size(); ++i)
+      EXPECT_TRUE(rule.grid().box().contains(points.point(i)));
+  }
+}
+
+TEST(FacesOnGridLines, MissedByRoundingAreSeenToo) {
+  // The side of the grid is short of the face by one unit in the last place, and beyond it.
+  for (const double half : {std::nextafter(0.3, 0.0), std::nextafter(0.3, 1.0)}) {
+    const DomainRule rule = rule_for(box(0.3), grid(half, 4));
+    for (int side = 0; side < 4; ++side) EXPECT_NEAR(rule.boundary_measure(side), 0.6, 1e-14);
+    EXPECT_NEAR(rule.measure(), 0.36, 1e-14);
+  }
+}
+
+TEST(FacesOnGridLines, ACircleInTheBoundingBoxKeepsItsPerimeter) {
+  const DomainRule rule = rule_for(disk(0, 0, 1), grid(1, 64));
+  EXPECT_NEAR(rule.boundary_measure(), 2 * pi, 1e-9);
+  EXPECT_NEAR(rule.measure(), pi, 1e-9);
+}
+
+TEST(FacesOnGridLines, A1e14OffThemAreCountedOnce) {
+  for (const double off : {-1e-14, 1e-14})
+    for (const int cells : {4, 8, 16}) {
+      const DomainRule rule = rule_for(box(1 + off), grid(2, cells));
+      EXPECT_NEAR(rule.measure(), 4, 1e-13);
+      for (int side = 0; side < 4; ++side) EXPECT_NEAR(rule.boundary_measure(side), 2, 1e-13);
+      EXPECT_LT(rule.report().divergence_defect, 1e-13);
+    }
+}
+
+TEST(FacesOnGridLines, BetweenTwoPartsOfTheRegionLeaveNoCrack) {
+  // [−1, 0] × [−1, 1] joined to [0, 1] × [−1, 1]: the line x = 0 is no boundary.
+  const Region joined = box(1) & (half_plane(1, 0, 0) | half_plane(-1, 0, 0));
+  for (const int cells : {4, 5}) {
+    const DomainRule rule = rule_for(joined, grid(2, cells));
+    EXPECT_NEAR(rule.measure(), 4, 1e-14);
+    EXPECT_NEAR(rule.boundary_measure(), 8, 1e-14);
+  }
+}
+
+TEST(FacesOnGridLines, OfHolesAreCountedOnce) {
+  for (const int cells : {8, 16}) {
+    const DomainRule rule = rule_for(box(1) - box(0.5), grid(1, cells));
+    EXPECT_NEAR(rule.measure(), 3, 1e-14);
+    EXPECT_NEAR(rule.boundary_measure(), 12, 1e-14);
+    EXPECT_LT(rule.report().divergence_defect, 1e-14);
+  }
+}
+
+}  // namespace

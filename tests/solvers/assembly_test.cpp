@@ -1,0 +1,216 @@
+#include "solvers/assembly.hpp"
+
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "core/error.hpp"
+#include "tests/solvers/sample_problems.hpp"
+
+namespace rfm {
+namespace {
+
+using namespace test;
+using Place = Contribution::Place;
+const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+
+// Two components coupled in the volume and on the boundary, two undetermined functions of
+// different degrees, derivatives of second order, normals, a restriction, inhomogeneous parts.
+struct CoupledProblem {
+  Grid grid = triangle_grid(5);
+  DomainRule rule = rule_for(triangle(), grid, 3);
+  std::vector<TensorProductSpace> spaces{{grid, 2, cells_in_region(rule)},
+                                         {grid, 3, cells_in_region(rule)}};
+  std::vector<Structure> structures{
+      x * y + (1.0 + x) * Structure::undetermined(0),
+      sin(x) + y * Structure::undetermined(1) +
+          x * x * partial(Structure::undetermined(0), 1) + 0.5 * Structure::undetermined(0)};
+  std::vector<Contribution> contributions;
+
+  CoupledProblem() {
+    QuadraticEnergy volume;
+    volume.add_stiffness(slope(0, 0), slope(0, 0), 2.0 + x);
+    volume.add_stiffness(slope(1, 0), slope(0, 1), y);
+    volume.add_stiffness({1, {0, 2}}, {1, {0, 2}}, 0.1);
+    volume.add_stiffness(value(1), value(0), exp(x));
+    volume.add_load(value(0), x * x);
+    volume.add_load(slope(1, 1), y);
+    QuadraticEnergy boundary;
+    boundary.add_stiffness(value(0), slope(0, 1), Coefficient::normal(0) * (1.0 + y));
+    boundary.add_stiffness(value(1), value(1), Coefficient::normal(1) * Coefficient::normal(0));
+    boundary.add_load(value(0), Coefficient::normal(1) * x + 3.0);
+    QuadraticEnergy part;
+    part.add_stiffness(value(0), value(0), 5.0);
+    part.add_load(slope(0, 0), 1.0);
+    contributions = {{volume, Place::volume},
+                     {boundary, Place::boundary},
+                     {part, Place::boundary, {1}, y - 0.4}};
+  }
+
+  // ∫ W(d) for components u as fields: the definition of the energy, without assembly.
+  double energy(const std::vector<Field>& u) const {
+    double sum = 0;
+    for (const Contribution& contribution : contributions) {
+      const QuadraticEnergy& energy = contribution.energy;
+      const auto d = [&](int slot) {
+        return Coefficient(
+            partial(u[energy.slots()[slot].component], energy.slots()[slot].derivative));
+      };
+      Coefficient density;
+      for (const auto& [row, column, coefficient] : energy.stiffness())
+        density = density + (row == column ? 0.5 : 1.0) * coefficient * d(row) * d(column);
+      for (const auto& [slot, coefficient] : energy.load()) density = density - coefficient * d(slot);
+      if (contribution.where) density = density * Coefficient(step(*contribution.where));
+      sum += integrate(density, rule, {contribution.place, contribution.numbers});
+    }
+    return sum;
+  }
+};
+
+TEST(Assembly, GivesTheEnergyOfTheSolutionField) {
+  const CoupledProblem problem;
+  const LinearSystem system =
+      assemble(problem.structures, problem.spaces, problem.contributions, problem.rule);
+  ASSERT_EQ(system.size(), problem.spaces[0].size() + problem.spaces[1].size());
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int sample = 0; sample < 4; ++sample) {
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(system.size());
+    if (sample > 0)
+      for (double& coefficient : coefficients) coefficient = uniform(generator);
+    const double expected =
+        problem.energy(solution_fields(problem.structures, problem.spaces, coefficients));
+    EXPECT_NEAR(system.energy(coefficients), expected, 1e-12 * std::abs(expected)) << sample;
+  }
+}
+
+TEST(Assembly, GivesEveryEntryOfTheMatrixByPolarisation) {
+  const CoupledProblem problem;
+  const LinearSystem system =
+      assemble(problem.structures, problem.spaces, problem.contributions, problem.rule);
+  const Eigen::MatrixXd lower(system.matrix);
+  const auto unit = [&](int i) { return Eigen::VectorXd::Unit(system.size(), i); };
+  const auto energy = [&](const Eigen::VectorXd& c) {
+    return problem.energy(solution_fields(problem.structures, problem.spaces, c));
+  };
+  // K_ij = E(e_i + e_j) − E(e_i) − E(e_j) + E(0), f_i = −(E(e_i) − E(−e_i))/2: every 5th pair.
+  const double zero = energy(Eigen::VectorXd::Zero(system.size()));
+  EXPECT_NEAR(system.constant, zero, 1e-13);
+  for (int i = 3; i < system.size(); i += 5) {
+    const double at_i = energy(unit(i));
+    EXPECT_NEAR(system.right_hand_side[i], (energy(-unit(i)) - at_i) / 2, 1e-12);
+    for (int j = 0; j <= i; j += 9)
+      EXPECT_NEAR(lower(i, j), energy(unit(i) + unit(j)) - at_i - energy(unit(j)) + zero, 2e-11)
+          << i << ", " << j;
+  }
+}
+
+TEST(Assembly, IsTheSameBitByBitForAnyNumberOfThreads) {
+  const Grid grid({2, {-1.1, -1.2}, {1.2, 1.1}}, {70, 66, 1});
+  const DomainRule rule = rule_for(circle({0, 0}, 1), grid, 2);
+  const TensorProductSpace space(grid, 2, cells_in_region(rule));
+  const Structure structure = exp(x) + (1.0 - x * x - y * y) * Structure::undetermined();
+  const Contribution contributions[] = {
+      {diffusion(2, 1.0 + x * x, sin(y), cos(x)), Place::volume},
+      {diffusion(2, 0.0, 3.0, x * y), Place::boundary}};
+  const auto assembled = [&](int threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return assemble(std::span(&structure, 1), std::span(&space, 1), contributions, rule);
+  };
+  const LinearSystem one = assembled(1), two = assembled(2);
+  EXPECT_EQ((one.matrix.coeffs() - two.matrix.coeffs()).abs().maxCoeff(), 0);
+  EXPECT_EQ((one.right_hand_side - two.right_hand_side).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(one.constant, two.constant);
+}
+
+TEST(Assembly, DropsNothingWhenContributionsAreSplit) {
+  const CoupledProblem problem;
+  const LinearSystem together =
+      assemble(problem.structures, problem.spaces, problem.contributions, problem.rule);
+  Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(together.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(together.size(), together.size());
+  for (const Contribution& contribution : problem.contributions) {
+    const LinearSystem part = assemble(problem.structures, problem.spaces,
+                                       std::span(&contribution, 1), problem.rule);
+    right_hand_side += part.right_hand_side;
+    matrix += Eigen::MatrixXd(part.matrix);
+  }
+  EXPECT_LT((matrix - Eigen::MatrixXd(together.matrix)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((right_hand_side - together.right_hand_side).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Assembly, TakesTimeAndParametersAsArguments) {
+  const Grid grid({1, {0}, {1}}, {4, 1, 1});
+  const DomainRule rule = rule_for(unit_box(1), grid, 2);
+  const TensorProductSpace space(grid, 2, cells_in_region(rule));
+  const Structure structure = Structure::undetermined();
+  QuadraticEnergy energy;
+  energy.add_load(value(), time_coordinate() * parameter(1));
+  const Contribution contribution{energy};
+  const LinearSystem system = assemble(std::span(&structure, 1), std::span(&space, 1),
+                                       std::span(&contribution, 1), rule, {2.0, {7.0, 0.5}});
+  EXPECT_NEAR(system.right_hand_side.sum(), 1.0, 1e-15);  // splines sum to one
+}
+
+TEST(Assembly, NamesTheQuantityAndThePointThatIsNotFinite) {
+  const Grid grid({1, {0}, {1}}, {3, 1, 1});
+  const DomainRule rule = rule_for(unit_box(1), grid, 2);
+  const TensorProductSpace space(grid, 2, cells_in_region(rule));
+  const auto assembled = [&](const Structure& structure, const Field& k, const Field& f) {
+    const Contribution contribution{diffusion(1, k, 1.0, f)};
+    assemble(std::span(&structure, 1), std::span(&space, 1), std::span(&contribution, 1), rule);
+  };
+  using testing::AllOf, testing::HasSubstr, testing::ThrowsMessage;
+  const Structure psi = Structure::undetermined();
+  EXPECT_THAT([&] { assembled(psi, 1.0, 1.0 / (x - x)); },
+              ThrowsMessage<ComputationError>(AllOf(HasSubstr("source"), HasSubstr("point (0.0"))));
+  EXPECT_THAT([&] { assembled(psi, log(x - 0.5), 1.0); },
+              ThrowsMessage<ComputationError>(HasSubstr("coefficient of the equation")));
+  EXPECT_THAT([&] { assembled(log(x - 2.0) * psi, 1.0, 1.0); },
+              ThrowsMessage<ComputationError>(HasSubstr("undetermined function in u0")));
+}
+
+TEST(Assembly, DoesNotLookWhereAContributionDoesNotCount) {
+  const Grid grid({1, {0}, {1}}, {3, 1, 1});
+  const DomainRule rule = rule_for(unit_box(1), grid, 2);
+  const TensorProductSpace space(grid, 2, cells_in_region(rule));
+  const Structure structure = Structure::undetermined();
+  const Contribution contribution{
+      diffusion(1, 1.0, 1.0, 1.0 / sqrt(x - 1 / 3.)), Place::volume, {}, x - 1 / 3.};
+  const LinearSystem system = assemble(std::span(&structure, 1), std::span(&space, 1),
+                                       std::span(&contribution, 1), rule);
+  EXPECT_TRUE(system.right_hand_side.allFinite());
+  EXPECT_EQ(system.matrix.coeff(0, 0), 0);  // the first spline lives left of 1/3 only
+}
+
+TEST(Assembly, RefusesWhatDoesNotFitTogether) {
+  const Grid grid({2, {0, 0}, {1, 1}}, {3, 3, 1}), other({2, {0, 0}, {1, 1}}, {3, 4, 1});
+  const DomainRule rule = rule_for(unit_box(2), grid, 2);
+  const auto assembled = [&](const Structure& structure, const TensorProductSpace& space,
+                             const Contribution& contribution) {
+    assemble(std::span(&structure, 1), std::span(&space, 1), std::span(&contribution, 1), rule);
+  };
+  const Structure psi = Structure::undetermined();
+  const TensorProductSpace space(grid, 2);
+  const Contribution good{diffusion(2, 1.0, 1.0, 1.0)};
+  EXPECT_NO_THROW(assembled(psi, space, good));
+  EXPECT_THROW(assembled(psi, TensorProductSpace(other, 2), good), InvalidArgument);
+  EXPECT_THROW(assembled(Structure::undetermined(1), space, good), InvalidArgument);
+  std::vector<std::uint8_t> cells(9, 1);
+  cells[4] = 0;
+  EXPECT_THROW(assembled(psi, TensorProductSpace(grid, 2, cells), good), InvalidArgument);
+  QuadraticEnergy energy;
+  energy.add_stiffness(value(1), value(1), 1.0);
+  EXPECT_THROW(assembled(psi, space, {energy}), InvalidArgument);
+  energy = {};
+  energy.add_load(value(), Coefficient::normal(0));
+  EXPECT_THROW(assembled(psi, space, {energy}), InvalidArgument);
+  energy = {};
+  energy.add_load({0, {0, 0, 1}}, 1.0);  // ∂/∂z in the plane
+  EXPECT_THROW(assembled(psi, space, {energy}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace rfm

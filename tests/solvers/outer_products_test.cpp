@@ -1,0 +1,44 @@
+#include "solvers/outer_products.hpp"
+
+#include <gmock/gmock.h>
+
+#include <random>
+#include <vector>
+
+namespace rfm {
+namespace {
+
+class OuterProducts : public testing::TestWithParam<std::tuple<int, int, int>> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, OuterProducts,
+                         testing::Combine(testing::Values(4, 9, 16, 27, 36, 64),
+                                          testing::Values(4, 16, 27), testing::Values(1, 17)));
+
+TEST_P(OuterProducts, EqualTheSumWrittenOut) {
+  const auto [row_count, column_count, points] = GetParam();
+  const int rows = padded(row_count), columns = padded(column_count);
+  std::mt19937 generator(1);
+  std::uniform_int_distribution<int> digit(-9, 9);  // whole numbers: products are exact
+  const auto vectors = [&](int length) {
+    std::vector<double> numbers(std::size_t(length) * points);
+    for (double& number : numbers) number = digit(generator);
+    return numbers;
+  };
+  const std::vector<double> a = vectors(rows), b = vectors(columns), c = vectors(rows),
+                            d = vectors(columns);
+  const std::vector<VectorPair> pairs{{a.data(), b.data()}, {c.data(), d.data()}};
+  std::vector<double> full(std::size_t(rows) * columns, 77);
+  std::vector<double> lower = full;
+  outer_products(pairs, points, rows, columns, false, full.data());
+  outer_products(pairs, points, rows, columns, true, lower.data());
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i) {
+      double sum = 0;
+      for (int q = 0; q < points; ++q)
+        sum += a[i + q * rows] * b[j + q * columns] + c[i + q * rows] * d[j + q * columns];
+      EXPECT_EQ(full[i + j * rows], sum);
+      if (i >= j) { EXPECT_EQ(lower[i + j * rows], sum); }
+    }
+}
+
+}  // namespace
+}  // namespace rfm
