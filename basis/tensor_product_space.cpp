@@ -16,7 +16,7 @@ bool same_grid(const Grid& a, const Grid& b) {
 
 TensorProductSpace::TensorProductSpace(const Grid& grid, int degree,
                                        std::span<const std::uint8_t> cells)
-    : grid_(grid), degree_(degree), cells_(cells.begin(), cells.end()) {
+    : grid_(grid), degree_(degree) {
   if (degree < 1 || degree > maximum_spline_degree)
     throw InvalidArgument("a space of splines has a degree between 1 and " +
                           std::to_string(maximum_spline_degree) + ", got " +
@@ -31,7 +31,7 @@ TensorProductSpace::TensorProductSpace(const Grid& grid, int degree,
   }
   function_of_spline_.assign(spline_count(), -1);
   for (int cell = 0; cell < grid.cell_count(); ++cell) {
-    if (!has_cell(cell)) continue;
+    if (!cells.empty() && cells[cell] == 0) continue;
     const std::array<int, 3> low = grid.position(cell);
     for (int k = 0; k < width[2]; ++k)
       for (int j = 0; j < width[1]; ++j)

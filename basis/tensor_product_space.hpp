@@ -24,7 +24,9 @@ bool same_grid(const Grid& a, const Grid& b);
 /// other choices of C on the same splines.
 class TensorProductSpace {
  public:
-  /// `cells[c]` ≠ 0 marks the cells of the grid that meet the region; no flags mean all of them.
+  /// `cells[c]` ≠ 0 marks the cells of the grid that meet the region, or the part of it where
+  /// functions are wanted (a band along the boundary, say); no flags mean all cells. Splines on a
+  /// marked cell are kept, with their whole support.
   /// Throws `InvalidArgument` on a degree outside 1 … 8, a wrong number of flags, or when no cell
   /// is marked.
   TensorProductSpace(const Grid& grid, int degree, std::span<const std::uint8_t> cells = {});
@@ -48,8 +50,6 @@ class TensorProductSpace {
   int function_of_spline(int spline) const { return function_of_spline_[spline]; }
   int spline_of_function(int function) const { return spline_of_function_[function]; }
 
-  /// Whether a cell was marked, so that all splines on it are functions of the space.
-  bool has_cell(int cell) const { return cells_.empty() || cells_[cell] != 0; }
   /// (degree + 1)^dimension, the number of splines on a cell.
   int functions_per_cell() const;
   /// The functions on a cell, x fastest; `numbers` has room for functions_per_cell(). On a marked
@@ -64,7 +64,6 @@ class TensorProductSpace {
   Grid grid_;
   int degree_;
   std::array<int, 3> splines_{1, 1, 1};
-  std::vector<std::uint8_t> cells_;
   std::vector<int> function_of_spline_;
   std::vector<int> spline_of_function_;
 };

@@ -50,14 +50,16 @@ class ExpressionEvaluator {
     return found == scope_.functions_.end() ? nullptr : &found->second;
   }
 
-  // Marks the nodes below calls such as omega(hole), whose arguments have no value.
+  // Marks the nodes below calls such as omega(hole), whose arguments are not evaluated.
   std::vector<bool> arguments_that_are_names(const Expression& expression) const {
     const std::span<const Node> nodes = expression.nodes();
     std::vector<bool> marked(nodes.size(), false);
     for (std::size_t i = nodes.size(); i-- > 0;) {
       if (nodes[i].kind != Kind::call || marked[i]) continue;
-      const ExpressionFunction* function = function_of(std::string(expression.text_of(nodes[i])));
-      if (function && function->takes_names)
+      const std::string name(expression.text_of(nodes[i]));
+      const ExpressionFunction* function = function_of(name);
+      // A function that is refused is so before its arguments are.
+      if ((function && function->takes_names) || scope_.refused_.contains(name))
         std::fill(marked.begin() + nodes[i].first, marked.begin() + static_cast<long>(i), true);
     }
     return marked;

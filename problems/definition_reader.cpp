@@ -46,9 +46,11 @@ void parse_head(const std::string& head, std::string& name, std::vector<std::str
                      tokens.peek().offset, tokens.peek().length);
 }
 
-class DefinitionReader {
+}  // namespace
+
+class DefinitionReader::Definitions {
  public:
-  DefinitionReader(const DocumentNode& root, ValueReader& values, Problem& problem)
+  Definitions(const DocumentNode& root, ValueReader& values, Problem& problem)
       : root_(root), values_(values), problem_(problem) {}
 
   void read() {
@@ -63,6 +65,22 @@ class DefinitionReader {
       if (definition.kind == Definition::Kind::field) define_field(definition);
     for (const Definition* definition : order_)
       if (definition->kind == Definition::Kind::parameter) define_parameter(*definition);
+  }
+
+  void check() {
+    ExpressionScope permissive = values_.scope;
+    const std::vector<Field> normal = stand_in_normal(values_.dimension);
+    const ScalarResults results = stand_in_results(values_.dimension);
+    define_results(permissive, results);
+    define_normal(permissive, normal);
+    define_boundary_results(permissive, results, normal);
+    for (const Definition* definition : order_) {
+      if (definition->kind == Definition::Kind::parameter || !is_sound(*definition)) continue;
+      if (evaluates(*definition, permissive)) continue;
+      replace(*definition, permissive);
+      replace(*definition, values_.scope);
+      replace(*definition, values_.number_scope);
+    }
   }
 
  private:
@@ -168,7 +186,27 @@ class DefinitionReader {
     return definition.formula && !broken_.contains(&definition);
   }
 
+  bool evaluates(const Definition& definition, const ExpressionScope& permissive) {
+    const auto check = [&](const ExpressionScope& scope) {
+      const auto value = values_.guarded<ExpressionValue>(
+          definition.entry->value, [&] { return evaluate(*definition.formula, scope); });
+      return value.has_value();
+    };
+    if (definition.arguments.empty()) return check(permissive);
+    ExpressionScope inside = permissive;
+    for (const std::string& argument : definition.arguments)
+      inside.define(argument, x_coordinate());
+    return check(inside);
+  }
+
   // A definition with a mistake stands for 1, so that its users are not reported as well.
+  static void replace(const Definition& definition, ExpressionScope& scope) {
+    if (definition.kind == Definition::Kind::function)
+      scope.define_function(definition.name, definition.arguments, Expression("1"));
+    else if (scope.has_name(definition.name))
+      scope.define(definition.name, Expression("1"));
+  }
+
   void define_functions(ExpressionScope& scope) {
     for (const Definition& definition : definitions_)
       if (definition.kind == Definition::Kind::function)
@@ -200,35 +238,12 @@ class DefinitionReader {
   std::vector<const Definition*> order_;  // used before users
 };
 
-}  // namespace
+DefinitionReader::DefinitionReader(const DocumentNode& root, ValueReader& values, Problem& problem)
+    : definitions_(std::make_unique<Definitions>(root, values, problem)) {}
 
-void read_definitions(const DocumentNode& root, ValueReader& values, Problem& problem) {
-  DefinitionReader(root, values, problem).read();
-}
+DefinitionReader::~DefinitionReader() = default;
 
-void check_definitions(const DocumentNode& root, const ValueReader& values) {
-  ExpressionScope permissive = values.scope;
-  const ScalarResults results = stand_in_results(values.dimension);
-  define_results(permissive, results);
-  define_normal(permissive, stand_in_normal(values.dimension));
-  define_boundary_results(permissive, results, stand_in_normal(values.dimension));
-  if (const DocumentNode* fields = values.find(root, "fields"))
-    for (const DocumentNode::Entry& entry : fields->entries)
-      if (values.scope.has_name(entry.key)) values.deferred(entry.value, permissive);
-  const DocumentNode* functions = values.find(root, "functions");
-  if (!functions) return;
-  for (const DocumentNode::Entry& entry : functions->entries) {
-    if (!entry.value.is_scalar()) continue;
-    values.guarded<bool>(entry.value, [&] {
-      ExpressionScope inside = permissive;
-      std::string name;
-      std::vector<std::string> arguments;
-      parse_head(entry.key, name, arguments);
-      for (const std::string& argument : arguments) inside.define(argument, x_coordinate());
-      evaluate(Expression(entry.value.text), inside);
-      return true;
-    });
-  }
-}
+void DefinitionReader::read() { definitions_->read(); }
+void DefinitionReader::check() { definitions_->check(); }
 
 }  // namespace rfm

@@ -1,17 +1,31 @@
 #pragma once
 
+#include <map>
+#include <memory>
+
 #include "problems/problem.hpp"
 #include "problems/value_reader.hpp"
 
 namespace rfm {
 
-/// Reads `parameters`, `fields` and `functions` into the problem and the scopes of `values`, whose
-/// `scope` must already hold what every formula may name. Parameters may use each other in any
-/// order; definitions that use themselves, however indirectly, are mistakes that name the cycle.
-void read_definitions(const DocumentNode& root, ValueReader& values, Problem& problem);
+/// Reads `parameters`, `fields` and `functions` into a problem and into the scopes of `values`.
+class DefinitionReader {
+ public:
+  /// All must outlive the reader.
+  DefinitionReader(const DocumentNode& root, ValueReader& values, Problem& problem);
+  ~DefinitionReader();
 
-/// Checks every field and function as a formula, with stand-ins for what is known only later. To be
-/// called when `omega(name)` has a meaning.
-void check_definitions(const DocumentNode& root, const ValueReader& values);
+  /// `values.scope` must already hold what every formula may name, except `omega`. Parameters may use
+  /// each other in any order; definitions that use themselves, however indirectly, are mistakes that
+  /// name the cycle.
+  void read();
+  /// Checks every field and function as a formula, with stand-ins for what is known only later. To be
+  /// called when `omega(name)` has a meaning, before anything uses a definition.
+  void check();
+
+ private:
+  class Definitions;
+  std::unique_ptr<Definitions> definitions_;
+};
 
 }  // namespace rfm

@@ -22,6 +22,10 @@ class TreeBuilder : public YAML::EventHandler {
   explicit TreeBuilder(std::shared_ptr<const SourceText> source) : source_(std::move(source)) {}
 
   std::optional<DocumentNode> root;
+  /// Where the innermost container begins that is not complete, if there is one.
+  std::optional<Place> innermost() const {
+    return open_.empty() ? std::nullopt : std::optional(open_.back().node.place);
+  }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -168,7 +172,8 @@ constexpr std::array<Translation, 24> translations = {{
     {"unknown token", "a character that no value can begin with: quote the text"},
 }};
 
-Mistake translated(const YAML::Exception& exception, std::shared_ptr<const SourceText> source) {
+Mistake translated(const YAML::Exception& exception, const std::optional<Place>& innermost,
+                   std::shared_ptr<const SourceText> source) {
   Place place{source, std::max(exception.mark.line + 1, 1), std::max(exception.mark.column + 1, 1)};
   // The parser reports tabs, unclosed brackets and quotations as many other things.
   if (has_tab_in_indentation(source->line(place.line))) {
@@ -177,7 +182,12 @@ Mistake translated(const YAML::Exception& exception, std::shared_ptr<const Sourc
   }
   const std::string_view message = exception.msg;
   for (const Translation& translation : translations)
-    if (message.starts_with(translation.parsers)) return {std::string(translation.ours), place};
+    if (message.starts_with(translation.parsers)) {
+      Mistake mistake{std::string(translation.ours), place};
+      const bool is_unclosed = message.find("flow not found") != std::string_view::npos;
+      if (is_unclosed && innermost) mistake.others.push_back({"it begins here", *innermost});
+      return mistake;
+    }
   if (message.find("irective") != std::string_view::npos ||
       message.find("VERSION") != std::string_view::npos)
     return {"directives (lines that begin with '%') are not supported", place};
@@ -272,7 +282,7 @@ DocumentNode parse_document(std::shared_ptr<const SourceText> source) {
       throw ProblemFileErrors(
           {{"several documents in one file: '---' may only begin it", rest.root->place}});
   } catch (const YAML::Exception& exception) {
-    throw ProblemFileErrors({translated(exception, source)});
+    throw ProblemFileErrors({translated(exception, builder.innermost(), source)});
   }
   return std::move(*builder.root);
 }

@@ -51,11 +51,11 @@ void read_contents(ValueReader& values, Problem& problem) {
   if (const DocumentNode* version = values.find(root, "rfm")) values.integer(*version);
   if (const DocumentNode* title = values.find(root, "title")) problem.title = title->text;
   define_common_names(values);
-  read_definitions(root, values, problem);
-
+  DefinitionReader definitions(root, values, problem);
+  definitions.read();
   ShapeReader shapes(root, values);
+  definitions.check();
   read_geometry(root, values, shapes, problem);
-  check_definitions(root, values);
   read_physics(root, values, shapes, problem);
   BoundaryReader boundary(root, values, shapes, problem);
   boundary.read_regions();

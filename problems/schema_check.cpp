@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/nearest_name.hpp"
 
@@ -50,7 +51,8 @@ class StructureCheck {
 
   void check_document(DocumentNode& root) {
     if (const DocumentNode* dimension = root.find("dimension"))
-      if (dimension->is_scalar() && dimension->text.size() == 1) dimension_ = dimension->text;
+      if (dimension->text == "1" || dimension->text == "2" || dimension->text == "3")
+        dimension_ = dimension->text;
     check(root, schema(), "", root.place);
   }
 
@@ -139,6 +141,14 @@ class StructureCheck {
     }
     if (!check_type_word(node, key, label, owner)) return false;
     const std::set<std::string> active = active_words(node, key);
+    const std::set<std::string> enclosing = std::exchange(enclosing_words_, active);
+    check_entries(node, key, label, owner, active);
+    enclosing_words_ = enclosing;
+    return true;
+  }
+
+  void check_entries(DocumentNode& node, const SchemaKey& key, const std::string& label,
+                     const Place& owner, const std::set<std::string>& active) {
     const std::size_t given = node.entries.size();
     add_defaults(node, key, active);
     std::set<std::string> taken_for;  // keys that a misspelt one probably means
@@ -151,7 +161,6 @@ class StructureCheck {
         taken_for.insert(refuse_key(entry, key, label, active));
     }
     check_presence(node, key, label, owner, active, taken_for);
-    return true;
   }
 
   void report_duplicates(const DocumentNode& node) {
@@ -180,7 +189,8 @@ class StructureCheck {
   }
 
   std::set<std::string> active_words(const DocumentNode& node, const SchemaKey& key) const {
-    std::set<std::string> active;
+    // What goes with the type of physics does so in its materials, too.
+    std::set<std::string> active = enclosing_words_;
     for (const std::string dimension : {"1", "2", "3"})
       if (dimension_.empty() || dimension_ == dimension) active.insert(dimension + "D");
     for (const SchemaKey& child : key.keys) {
@@ -305,6 +315,7 @@ class StructureCheck {
   MistakeList& mistakes_;
   SchemaMatch& match_;
   std::string dimension_;
+  std::set<std::string> enclosing_words_;  // active in the maps around
 };
 
 }  // namespace

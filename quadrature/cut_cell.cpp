@@ -87,7 +87,8 @@ void RuleBuilder::reduced(const Reduction2D& reduction) {
   frame_ = reduction.frame();
   const auto& breakpoints = reduction.breakpoints();
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    const double from = breakpoints[i], width = breakpoints[i + 1] - from;
+    const double from = breakpoints[i].position;
+    const double width = breakpoints[i + 1].position - from;
     if (width <= reduction.negligible_width()) continue;
     for (int k = 0; k < gauss_.size(); ++k)
       add_line(reduction.active(), reduction.vertical(),

@@ -3,22 +3,46 @@
 #include <span>
 #include <vector>
 
-#include "quadrature/line_roots.hpp"
+#include "quadrature/plane_graphs.hpp"
 
 namespace rfm {
 
-/// A box of the plane in which every surface is, in the height direction, a graph over the base
-/// axis or independent of the height ("vertical"). Between neighbouring breakpoints of the base
-/// axis the order of the surfaces along lines of the height direction does not change, so that an
-/// integral over the region is an iterated integral of smooth functions:
+/// How often a curve can meet a line: what is proved beforehand saves isolation.
+enum class Meeting : signed char { never, at_most_once, unknown };
+
+/// What is known of the breakpoints of a plane before they are sought.
+struct PlaneProofs {
+  /// Surface i with the bottom and the top; a vertical surface uses the first entry.
+  std::array<std::array<Meeting, 2>, ActiveSet::capacity> ends;
+  /// Graphs i < j with each other.
+  std::array<std::array<Meeting, ActiveSet::capacity>, ActiveSet::capacity> crossings;
+
+  PlaneProofs() {
+    for (auto& end : ends) end.fill(Meeting::unknown);
+    for (auto& row : crossings) row.fill(Meeting::unknown);
+  }
+};
+
+/// A rectangle in which every surface is, in the height direction, a graph over the base axis or
+/// independent of the height ("vertical"). Between neighbouring breakpoints of the base axis the
+/// order of the surfaces along lines of the height direction does not change, so that an integral
+/// over the region is an iterated integral of smooth functions:
 ///
 ///     ∫∫ f = Σ over [p, q] of breakpoints ∫_p^q Σ over inside parts of the line ∫ f dη dξ.
 ///
 /// Breakpoints are where a graph meets the bottom or the top of the box, where a vertical surface
-/// stands, and where two graphs cross. Method: R. I. Saye, SIAM J. Sci. Comput. 37 (2015), carried
-/// from one implicit function to Boolean combinations.
+/// stands, and where two graphs cross. The rectangle is a box of the plane or a section of a box of
+/// space. Method: R. I. Saye, SIAM J. Sci. Comput. 37 (2015), carried from one implicit function to
+/// Boolean combinations.
 class Reduction2D {
  public:
+  /// A breakpoint and what causes it: a number that is the same for the same cause in parallel
+  /// sections.
+  struct Breakpoint {
+    static constexpr int side_of_box = -1;
+    double position = 0;
+    int cause = side_of_box;
+  };
   /// A vertical surface at `position`: the signs of the vertical surfaces on both sides of it.
   struct Wall {
     double position = 0;
@@ -26,45 +50,47 @@ class Reduction2D {
     SurfaceSigns right = 0;
   };
 
-  /// `bounds[i]` encloses surface i over the box. Memory of earlier boxes is reused.
-  void build(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
-             int height, const Frame* frame);
+  /// `bounds[i]` encloses surface i over the rectangle. Memory of earlier ones is reused.
+  void build(const Plane& plane, const ActiveSet& active, std::span<const FunctionBounds> bounds,
+             const PlaneProofs& proofs, const Frame* frame = nullptr);
 
-  const Box& box() const { return box_; }
   const ActiveSet& active() const { return *active_; }
   /// The frame in which box and surfaces are given; null for the world.
   const Frame* frame() const { return frame_; }
-  int base() const { return 1 - height_; }
-  int height() const { return height_; }
+  const Plane& plane() const { return plane_; }
+  int base() const { return plane_.base; }
+  int height() const { return plane_.height; }
   /// Surfaces that do not depend on the height.
   SurfaceSigns vertical() const { return vertical_; }
   /// Ascending, the sides of the box included.
-  const std::vector<double>& breakpoints() const { return breakpoints_; }
+  const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   const std::vector<Wall>& walls() const { return walls_; }
   /// False if a root was not isolated: the rule is then a best effort.
   bool certified() const { return certified_; }
 
   /// The segment of the height direction at a place of the base axis.
-  LineSegment line(double place) const;
+  LineSegment line(double place) const { return height_line(plane_, graph(0), place); }
   /// Intervals of the base axis shorter than this are empty up to rounding.
-  double negligible_width() const { return 1e-14 * box_.length(base()); }
+  double negligible_width() const { return 1e-14 * plane_.base_length(); }
 
  private:
   bool is_vertical(int surface) const { return vertical_ >> surface & 1; }
-  void add_ends_of_graphs(int surface);
-  void add_crossings(int first, int second);
-  bool proven_apart(int first, int second) const;
+  PlaneGraph graph(int surface) const {
+    return {active_->surfaces[surface], &bounds_[surface], plane_.box.low[plane_.third()]};
+  }
+  void add_ends(int surface, const PlaneProofs& proofs);
+  void add_crossings(int first, int second, bool at_most_once);
+  void add_found(int cause);
   void find_walls();
   SurfaceSigns vertical_signs(double place) const;
-  void sort_breakpoints();
 
-  Box box_;
+  Plane plane_;
   const ActiveSet* active_ = nullptr;
   const Frame* frame_ = nullptr;
   std::span<const FunctionBounds> bounds_;
-  int height_ = 1;
   SurfaceSigns vertical_ = 0;
-  std::vector<double> breakpoints_, standing_, found_;
+  std::vector<Breakpoint> breakpoints_;
+  std::vector<double> standing_, found_;
   std::vector<Wall> walls_;
   bool certified_ = true;
 };

@@ -93,7 +93,7 @@ void Subdivision::reduce(const Box& box, const ActiveSet& active,
   if (box.dimension == 1) {
     visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
   } else {
-    plane_.build(box, active, bounds, height, frame_);
+    plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
     visitor_->reduced(plane_);
     certified &= plane_.certified();
   }

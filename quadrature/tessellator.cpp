@@ -88,7 +88,7 @@ void Tessellator::reduced(const Reduction2D& reduction) {
   frame_ = reduction.frame();
   const auto& breakpoints = reduction.breakpoints();
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    const double from = breakpoints[i], to = breakpoints[i + 1];
+    const double from = breakpoints[i].position, to = breakpoints[i + 1].position;
     if (to - from <= reduction.negligible_width()) continue;
     // The parts of lines are the same all the way between breakpoints.
     const LineSegment middle = reduction.line(0.5 * (from + to));
@@ -118,7 +118,7 @@ void Tessellator::add_strip(const Reduction2D& reduction, const Strip& strip, do
   }
   const int layers = steps(highest, reduction.height());
   const bool reversed = reduction.base() != 0;
-  const double same = same_vertex * reduction.box().length(reduction.height());
+  const double same = same_vertex * reduction.plane().height_length();
   std::vector<int> left, right;
   for (int i = 0; i <= columns; ++i, left.swap(right)) {
     right.clear();

@@ -146,7 +146,7 @@ class TileIntegrator {
       const int offset = sums.matrix.offsets()[unknown];
       const double* load = kernel_.load(int(i));
       for (std::size_t f = 0; f < functions_.size(); ++f)
-        sums.right_hand_side[offset + functions_[f]] += load[f];
+        if (functions_[f] >= 0) sums.right_hand_side[offset + functions_[f]] += load[f];
     }
   }
 
@@ -163,13 +163,9 @@ class TileIntegrator {
 
 void require_consistent(std::span<const TensorProductSpace> spaces, const DomainRule& rule) {
   if (spaces.empty()) throw InvalidArgument("assembly needs a space for every undetermined function");
-  for (const TensorProductSpace& space : spaces) {
+  for (const TensorProductSpace& space : spaces)
     if (!same_grid(space.grid(), rule.grid()))
       throw InvalidArgument("spaces and the rule of quadrature must share one background grid");
-    for (int cell = 0; cell < rule.grid().cell_count(); ++cell)
-      if (rule.state(cell) != CellState::outside && !space.has_cell(cell))
-        throw InvalidArgument("a space leaves out splines on a cell that the region meets");
-  }
 }
 
 }  // namespace

@@ -42,10 +42,12 @@ void StencilMatrix::add(int cell, int row_unknown, int column_unknown, const dou
   const std::array<int, 3> column_last{q, dimension > 1 ? q : 0, dimension > 2 ? q : 0};
   for (int az = 0; az <= column_last[2]; ++az)
     for (int ay = 0; ay <= column_last[1]; ++ay) {
-      const int first = columns.function_of_spline(columns.spline({low[0], low[1] + ay, low[2] + az}));
+      const int first = columns.spline({low[0], low[1] + ay, low[2] + az});
       for (int ax = 0; ax <= q; ++ax, local += stride) {
+        const int function = columns.function_of_spline(first + ax);
+        if (function < 0) continue;
         const double* from = local;
-        double* column = block.values.data() + std::size_t(first + ax) * block.column_size;
+        double* column = block.values.data() + std::size_t(function) * block.column_size;
         for (int bz = 0; bz <= row_last[2]; ++bz)
           for (int by = 0; by <= row_last[1]; ++by, from += p + 1) {
             const int line = by - ay + column_last[1] +

@@ -27,8 +27,9 @@ class StencilMatrix {
 
   /// Adds the interaction on one cell of the functions of `row_unknown` with those of
   /// `column_unknown` ≤ `row_unknown`: entries local[b + a · stride] for local functions b (rows)
-  /// and a (columns), numbered with x fastest. For a function with itself only b ≥ a counts. Two
-  /// threads may add at once if their cells share no spline.
+  /// and a (columns), numbered with x fastest. For a function with itself only b ≥ a counts, and
+  /// splines that a space leaves out do not. Two threads may add at once if their cells share no
+  /// spline.
   void add(int cell, int row_unknown, int column_unknown, const double* local, int stride);
 
   /// The lower triangle.
