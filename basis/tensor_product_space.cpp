@@ -22,8 +22,8 @@ TensorProductSpace::TensorProductSpace(const Grid& grid, int degree,
                           std::to_string(maximum_spline_degree) + ", got " +
                           std::to_string(degree));
   if (!cells.empty() && cells.size() != std::size_t(grid.cell_count()))
-    throw InvalidArgument("a grid of " + std::to_string(grid.cell_count()) +
-                          " cells cannot take " + std::to_string(cells.size()) + " flags");
+    throw InvalidArgument("a grid of " + std::to_string(grid.cell_count()) + " cells cannot take " +
+                          std::to_string(cells.size()) + " flags");
   std::array<int, 3> width{1, 1, 1};
   for (int axis = 0; axis < dimension(); ++axis) {
     splines_[axis] = grid.cells(axis) + degree;
@@ -59,7 +59,8 @@ int TensorProductSpace::functions_per_cell() const {
 
 void TensorProductSpace::cell_functions(int cell, std::span<int> numbers) const {
   const std::array<int, 3> low = grid_.position(cell);
-  const int lines_y = dimension() > 1 ? degree_ + 1 : 1, lines_z = dimension() > 2 ? degree_ + 1 : 1;
+  const int lines_y = dimension() > 1 ? degree_ + 1 : 1,
+            lines_z = dimension() > 2 ? degree_ + 1 : 1;
   std::size_t n = 0;
   for (int k = 0; k < lines_z; ++k)
     for (int j = 0; j < lines_y; ++j)

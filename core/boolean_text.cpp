@@ -7,6 +7,9 @@ namespace rfm {
 namespace {
 
 constexpr int deepest_nesting = 250;
+constexpr std::size_t largest_expression = 100'000;
+
+std::size_t size_of(const Region& region) { return region.expression().nodes().size(); }
 
 }  // namespace
 
@@ -126,6 +129,11 @@ Region BooleanText::region(const std::function<Region(const Name&)>& shape) cons
       continue;
     }
     const Region last = take();
+    // An exclusive or holds both arguments twice: a chain of them grows like a power of two.
+    const bool is_exclusive = node.kind == Node::Kind::exclusive;
+    const std::size_t others = node.kind == Node::Kind::complement ? 0 : size_of(stack.back());
+    if ((size_of(last) + others) * (is_exclusive ? 2 : 1) > largest_expression)
+      throw InputError("the expression of shapes is too large", node.offset, node.length);
     switch (node.kind) {
       case Node::Kind::complement:
         stack.push_back(!last);

@@ -27,7 +27,8 @@ class BooleanText {
   };
   /// The shapes that the text names, in its order, repeated where it repeats them.
   std::vector<Name> names() const;
-  /// The region, given the meaning of names. What `shape` throws passes through.
+  /// The region, given the meaning of names. What `shape` throws passes through. Throws
+  /// `InputError` on more than 100,000 operations (an exclusive or counts its arguments twice).
   Region region(const std::function<Region(const Name&)>& shape) const;
 
  private:

@@ -21,15 +21,24 @@ void evaluate_bsplines(int degree, int order, double s, double* values) {
   require_degree(degree, order);
   static_assert(maximum_spline_degree == 8);
   switch (degree) {
-    case 0: return evaluate_bsplines<0>(s, order, values);
-    case 1: return evaluate_bsplines<1>(s, order, values);
-    case 2: return evaluate_bsplines<2>(s, order, values);
-    case 3: return evaluate_bsplines<3>(s, order, values);
-    case 4: return evaluate_bsplines<4>(s, order, values);
-    case 5: return evaluate_bsplines<5>(s, order, values);
-    case 6: return evaluate_bsplines<6>(s, order, values);
-    case 7: return evaluate_bsplines<7>(s, order, values);
-    default: return evaluate_bsplines<8>(s, order, values);
+    case 0:
+      return evaluate_bsplines<0>(s, order, values);
+    case 1:
+      return evaluate_bsplines<1>(s, order, values);
+    case 2:
+      return evaluate_bsplines<2>(s, order, values);
+    case 3:
+      return evaluate_bsplines<3>(s, order, values);
+    case 4:
+      return evaluate_bsplines<4>(s, order, values);
+    case 5:
+      return evaluate_bsplines<5>(s, order, values);
+    case 6:
+      return evaluate_bsplines<6>(s, order, values);
+    case 7:
+      return evaluate_bsplines<7>(s, order, values);
+    default:
+      return evaluate_bsplines<8>(s, order, values);
   }
 }
 

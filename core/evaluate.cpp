@@ -8,11 +8,15 @@
 namespace rfm {
 
 double PointJet::derivative(int i, int j, int k) const {
+  if (i < 0 || j < 0 || k < 0 || (j > 0 && dimension_ < 2) || (k > 0 && dimension_ < 3))
+    throw InvalidArgument("a jet in " + std::to_string(dimension_) +
+                          " variables has no derivative (" + std::to_string(i) + ", " +
+                          std::to_string(j) + ", " + std::to_string(k) + ")");
   const MultiIndex alpha{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
                          static_cast<std::uint8_t>(k), 0};
   if (degree(alpha) > order_)
-    throw InvalidArgument("a jet of order " + std::to_string(order_) + " has no derivative of order " +
-                          std::to_string(degree(alpha)));
+    throw InvalidArgument("a jet of order " + std::to_string(order_) +
+                          " has no derivative of order " + std::to_string(degree(alpha)));
   return coefficients_[jet_index(dimension_, alpha)] * factorial(alpha);
 }
 

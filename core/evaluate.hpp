@@ -13,7 +13,7 @@ class PointJet {
   PointJet(int dimension, int order, std::vector<double> coefficients)
       : dimension_(dimension), order_(order), coefficients_(std::move(coefficients)) {}
   double value() const { return coefficients_[0]; }
-  /// ∂^(i+j+k) f / ∂xⁱ ∂yʲ ∂zᵏ. Throws `InvalidArgument` beyond the order.
+  /// ∂^(i+j+k) f / ∂xⁱ ∂yʲ ∂zᵏ. Throws `InvalidArgument` beyond the order and the variables.
   double derivative(int i, int j = 0, int k = 0) const;
 
  private:

@@ -6,27 +6,31 @@ namespace rfm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double denormal = std::numeric_limits<double>::denorm_min();
 
-// NaN from inf − inf or 0 · inf means that nothing is known of that end.
+// NaN from inf − inf or 0 · inf means that nothing is known of that end, and an end that overflowed
+// is known to lie beyond the largest number. Below the normal numbers errors are absolute; an end
+// that is exactly 0 stays so.
+double lowered(double low, double relative) {
+  if (std::isnan(low)) return -infinity;
+  if (low == infinity) return std::numeric_limits<double>::max();
+  const double below = low - relative * std::fabs(low);
+  return low != 0 && std::fabs(low) < std::numeric_limits<double>::min() ? below - denormal : below;
+}
 Interval widened(double low, double high, double relative) {
-  low = std::isnan(low) ? -infinity : low - relative * std::fabs(low);
-  high = std::isnan(high) ? infinity : high + relative * std::fabs(high);
-  if (std::isnan(low)) low = -infinity;
-  if (std::isnan(high)) high = infinity;
-  return {low, high};
+  return {lowered(low, relative), -lowered(-high, relative)};
 }
 
 constexpr double basic_margin = 0x1p-52;
 constexpr double library_margin = 0x1p-50;
 
 Interval outward(double low, double high) { return widened(low, high, basic_margin); }
+Interval library(double low, double high) { return widened(low, high, library_margin); }
 
-// Results of elementary functions may underflow too: add the smallest denormal unless exact.
-Interval library(double low, double high) {
-  Interval wide = widened(low, high, library_margin);
-  if (wide.low != 0) wide.low -= std::numeric_limits<double>::denorm_min();
-  if (wide.high != 0) wide.high += std::numeric_limits<double>::denorm_min();
-  return wide;
+// For results that are positive: an end that has underflowed to 0 is not exactly 0.
+Interval positive(double low, double high, double relative) {
+  const Interval wide = widened(low, high, relative);
+  return {std::max(wide.low, 0.0), std::max(wide.high, denormal)};
 }
 
 template <class Function>
@@ -56,11 +60,11 @@ Interval operator*(const Interval& a, const Interval& b) {
   const double p = product(a.low, b.low), q = product(a.low, b.high);
   const double r = product(a.high, b.low), s = product(a.high, b.high);
   Interval wide = outward(std::min({p, q, r, s}), std::max({p, q, r, s}));
-  constexpr double tiny = std::numeric_limits<double>::min();
-  if (std::fabs(wide.low) < tiny && (wide.low != 0 || (a.low != 0 && b.low != 0)))
-    wide.low -= std::numeric_limits<double>::denorm_min();
-  if (std::fabs(wide.high) < tiny && (wide.high != 0 || (a.high != 0 && b.high != 0)))
-    wide.high += std::numeric_limits<double>::denorm_min();
+  // An end of 0 is exact only if the signs of the factors say so; otherwise it has underflowed.
+  const bool not_negative = (a.low >= 0 && b.low >= 0) || (a.high <= 0 && b.high <= 0);
+  const bool not_positive = (a.low >= 0 && b.high <= 0) || (a.high <= 0 && b.low >= 0);
+  if (wide.low == 0 && !not_negative) wide.low = -denormal;
+  if (wide.high == 0 && !not_positive) wide.high = denormal;
   return wide;
 }
 
@@ -78,32 +82,39 @@ Interval operator/(const Interval& a, const Interval& b) {
 }
 
 Interval square(const Interval& a) {
+  if (a.is_zero()) return {};
   const double low = a.low * a.low, high = a.high * a.high;
-  if (a.low <= 0 && a.high >= 0) return {0, outward(0, std::max(low, high)).high};
-  const Interval wide = outward(std::min(low, high), std::max(low, high));
-  return {std::max(wide.low, 0.0), wide.high};
+  if (a.low <= 0 && a.high >= 0) return positive(0, std::max(low, high), basic_margin);
+  return positive(std::min(low, high), std::max(low, high), basic_margin);
 }
 
 Interval integer_power(const Interval& a, int exponent) {
   if (exponent < 0) return Interval(1) / integer_power(a, -exponent);
   if (exponent == 0) return 1;
-  if (exponent == 1) return a;
+  if (exponent == 1 || a.is_zero()) return a;
   if (exponent == 2) return square(a);
   const double low = std::pow(a.low, exponent), high = std::pow(a.high, exponent);
-  if (exponent % 2 != 0) return library(low, high);
-  if (a.low <= 0 && a.high >= 0) return {0, library(0, std::max(low, high)).high};
-  return library(std::min(low, high), std::max(low, high));
+  if (exponent % 2 != 0) {
+    Interval wide = library(low, high);
+    if (low == 0 && a.low < 0) wide.low = -denormal;
+    if (high == 0 && a.high > 0) wide.high = denormal;
+    return wide;
+  }
+  if (a.low <= 0 && a.high >= 0) return positive(0, std::max(low, high), library_margin);
+  return positive(std::min(low, high), std::max(low, high), library_margin);
 }
 
 Interval power(const Interval& a, double exponent) {
-  const double low = std::max(a.low, 0.0), high = std::max(a.high, 0.0);
+  if (a.high < 0) return Interval::entire();
+  const double low = std::max(a.low, 0.0), high = a.high;
   const double p = std::pow(low, exponent), q = std::pow(high, exponent);
-  const Interval wide = library(std::min(p, q), std::max(p, q));
-  return {std::max(wide.low, 0.0), wide.high};
+  if (high == 0) return {std::min(p, q), std::max(p, q)};
+  return positive(std::min(p, q), std::max(p, q), library_margin);
 }
 
 Interval sqrt(const Interval& a) {
-  const Interval wide = outward(std::sqrt(std::max(a.low, 0.0)), std::sqrt(std::max(a.high, 0.0)));
+  if (a.high < 0) return Interval::entire();
+  const Interval wide = outward(std::sqrt(std::max(a.low, 0.0)), std::sqrt(a.high));
   return {std::max(wide.low, 0.0), wide.high};
 }
 
@@ -112,12 +123,11 @@ Interval cbrt(const Interval& a) {
 }
 
 Interval exp(const Interval& a) {
-  const Interval wide = increasing(a, [](double x) { return std::exp(x); });
-  return {std::max(wide.low, 0.0), wide.high};
+  return positive(std::exp(a.low), std::exp(a.high), library_margin);
 }
 
 Interval log(const Interval& a) {
-  if (a.high <= 0) return Interval::entire();
+  if (a.high < 0) return Interval::entire();
   return increasing(a, [](double x) { return x > 0 ? std::log(x) : -infinity; });
 }
 
@@ -162,13 +172,15 @@ Interval tan(const Interval& a) {
 }
 
 Interval asin(const Interval& a) {
+  if (a.high < -1 || a.low > 1) return Interval::entire();
   return increasing({std::clamp(a.low, -1.0, 1.0), std::clamp(a.high, -1.0, 1.0)},
                     [](double x) { return std::asin(x); });
 }
 
 Interval acos(const Interval& a) {
-  const Interval wide = library(std::acos(std::clamp(a.high, -1.0, 1.0)),
-                                std::acos(std::clamp(a.low, -1.0, 1.0)));
+  if (a.high < -1 || a.low > 1) return Interval::entire();
+  const Interval wide =
+      library(std::acos(std::clamp(a.high, -1.0, 1.0)), std::acos(std::clamp(a.low, -1.0, 1.0)));
   return {std::max(wide.low, 0.0), wide.high};
 }
 
@@ -178,9 +190,10 @@ Interval atan(const Interval& a) {
 
 Interval atan2(const Interval& y, const Interval& x) {
   constexpr double pi = std::numbers::pi;
+  // On the cut itself the sign of zero decides between −π and π.
   const bool origin = x.contains(0) && y.contains(0);
-  const bool crosses_cut = x.low < 0 && y.low < 0 && y.high >= 0;
-  if (origin || crosses_cut) return {-pi - 1e-15, pi + 1e-15};
+  const bool meets_cut = x.low < 0 && y.contains(0);
+  if (origin || meets_cut) return {-pi - 1e-15, pi + 1e-15};
   // Without the origin and the cut, extremes over a box are taken at its corners.
   const double p = std::atan2(y.low, x.low), q = std::atan2(y.low, x.high);
   const double r = std::atan2(y.high, x.low), s = std::atan2(y.high, x.high);

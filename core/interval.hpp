@@ -13,7 +13,7 @@ enum class Truth : signed char { no = -1, unknown = 0, yes = 1 };
 ///
 /// Outward rounding is by proven margin rather than by switching the rounding mode: each basic
 /// operation has relative error ≤ 2⁻⁵³, so widening both ends by 2⁻⁵² of their size (plus the
-/// smallest denormal where a product may underflow) encloses the exact result. The margin is
+/// smallest denormal where a result may have underflowed) encloses the exact result. The margin is
 /// multiplicative so that the exact zero [0, 0] stays exact: a derivative that is identically zero
 /// is recognised as structural independence. Elementary functions of the C library have errors
 /// below 2 ulp; their margin is 4 ulp.
@@ -50,7 +50,10 @@ Interval operator/(const Interval& a, const Interval& b);
 
 Interval square(const Interval& a);
 Interval integer_power(const Interval& a, int exponent);
-/// aᵉ for a ≥ 0; the negative part of `a` is ignored.
+// Functions that are undefined in part of `a` are enclosed where they are defined (√, log, asin,
+// acos, real powers); where that is nowhere, nothing is known: the entire line.
+
+/// aᵉ for a ≥ 0.
 Interval power(const Interval& a, double exponent);
 Interval sqrt(const Interval& a);
 Interval cbrt(const Interval& a);
@@ -85,6 +88,10 @@ inline Truth less_equal(const Interval& a, const Interval& b) {
 inline Truth equal(const Interval& a, const Interval& b) {
   if (a.is_point() && b.is_point() && a.low == b.low) return Truth::yes;
   return a.high < b.low || b.high < a.low ? Truth::no : Truth::unknown;
+}
+/// Of two divisors the one whose smallest absolute value is the larger.
+inline Truth farther_from_zero(const Interval& a, const Interval& b) {
+  return a.mignitude() > b.mignitude() ? Truth::yes : Truth::no;
 }
 inline Interval select(Truth condition, const Interval& yes, const Interval& no) {
   return condition == Truth::yes ? yes : condition == Truth::no ? no : hull(yes, no);

@@ -22,7 +22,9 @@ struct Rp {
 using RSystem = std::variant<RAlpha, Rp>;
 
 /// Intersection {x ≥ 0} ∩ {y ≥ 0}: positive exactly where both arguments are positive, and zero on
-/// its boundary. Throws `InvalidArgument` when the parameter of `system` is out of range.
+/// its boundary. Next to the boundary Rα keeps its relative accuracy (there it is computed as
+/// 2xy / (x + y + √…)), Rp for p > 2 only its absolute one. Throws `InvalidArgument` when the
+/// parameter of `system` is out of range.
 Field conjunction(const Field& x, const Field& y, const RSystem& system = RAlpha{});
 /// Union {x ≥ 0} ∪ {y ≥ 0}, by De Morgan's law: x ∨ y = −(−x ∧ −y).
 Field disjunction(const Field& x, const Field& y, const RSystem& system = RAlpha{});

@@ -40,6 +40,29 @@ inline Batch power(const Batch& a, double exponent) {
   return std::experimental::pow(a, Batch(exponent));
 }
 
+/// The vector sine and cosine reduce their argument modulo π/2 with a quotient of 32 bits: beyond
+/// that lanes are computed one by one.
+inline Batch sin(const Batch& a) {
+  if (std::experimental::none_of(std::experimental::abs(a) > 0x1p30))
+    return std::experimental::sin(a);
+  return Batch([&](auto lane) { return std::sin(a[lane]); });
+}
+inline Batch cos(const Batch& a) {
+  if (std::experimental::none_of(std::experimental::abs(a) > 0x1p30))
+    return std::experimental::cos(a);
+  return Batch([&](auto lane) { return std::cos(a[lane]); });
+}
+
+/// Whether a is farther from zero than b, so that it is the better divisor.
+inline bool farther_from_zero(double a, double b) { return std::fabs(a) > std::fabs(b); }
+inline BatchMask farther_from_zero(const Batch& a, const Batch& b) {
+  return std::experimental::abs(a) > std::experimental::abs(b);
+}
+
+// Where two formulas are equal, bounds may take either: a choice that is not certain is no.
+inline bool certain(bool condition) { return condition; }
+inline BatchMask certain(const BatchMask& condition) { return condition; }
+inline Truth certain(Truth condition) { return condition == Truth::yes ? condition : Truth::no; }
 
 /// 1 / a, or 0 where a = 0: derivatives at singular points are finite by convention (see jet.hpp).
 template <class T>

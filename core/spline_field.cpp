@@ -96,8 +96,7 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
                x <= grid_.box().high[axis] + tolerance_[axis];
       if (!inside) break;
       const int cell = grid_.locate(axis, x);
-      const double s =
-          std::clamp((x - grid_.line(axis, cell)) / grid_.spacing(axis), 0.0, 1.0);
+      const double s = std::clamp((x - grid_.line(axis, cell)) / grid_.spacing(axis), 0.0, 1.0);
       evaluate_bsplines<degree>(s, highest[axis], basis[axis]);
       first += cell * step;
       step *= splines_[axis];
@@ -144,15 +143,24 @@ void SplineField::evaluate(const std::array<const double*, 3>& coordinates, int 
   };
   static_assert(maximum_spline_degree == 8);
   switch (degree_) {
-    case 0: return run.operator()<0>();
-    case 1: return run.operator()<1>();
-    case 2: return run.operator()<2>();
-    case 3: return run.operator()<3>();
-    case 4: return run.operator()<4>();
-    case 5: return run.operator()<5>();
-    case 6: return run.operator()<6>();
-    case 7: return run.operator()<7>();
-    default: return run.operator()<8>();
+    case 0:
+      return run.operator()<0>();
+    case 1:
+      return run.operator()<1>();
+    case 2:
+      return run.operator()<2>();
+    case 3:
+      return run.operator()<3>();
+    case 4:
+      return run.operator()<4>();
+    case 5:
+      return run.operator()<5>();
+    case 6:
+      return run.operator()<6>();
+    case 7:
+      return run.operator()<7>();
+    default:
+      return run.operator()<8>();
   }
 }
 

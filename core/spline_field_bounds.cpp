@@ -70,12 +70,14 @@ FunctionBounds SplineField::cell_bounds(const std::array<int, 3>& cell, const Bo
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) {
-        local.push_back(coefficients_[cell[0] + i +
-                                      std::size_t(splines_[0]) *
-                                          (cell[1] + j + std::size_t(splines_[1]) * (cell[2] + k))]);
+        local.push_back(
+            coefficients_[cell[0] + i +
+                          std::size_t(splines_[0]) *
+                              (cell[1] + j + std::size_t(splines_[1]) * (cell[2] + k))]);
         magnitude = std::max(magnitude, std::abs(local.back()));
       }
-  // Convex combinations: three per axis and degree, each with two roundings, here and in `evaluate`.
+  // Convex combinations: three per axis and degree, each with two roundings, here and in
+  // `evaluate`.
   const double margin = 2e-16 * (12 * degree_ + 12) * magnitude;
 
   FunctionBounds result;
@@ -109,8 +111,7 @@ FunctionBounds SplineField::bounds(const Box& box) const {
     first[axis] = grid_.locate(axis, box.low[axis]);
     last[axis] = grid_.locate(axis, box.high[axis]);
     // A box that ends on a grid line does not reach into the cell above, up to continuity.
-    if (degree_ > 1 && last[axis] > first[axis] &&
-        box.high[axis] == grid_.line(axis, last[axis]))
+    if (degree_ > 1 && last[axis] > first[axis] && box.high[axis] == grid_.line(axis, last[axis]))
       --last[axis];
     cells *= last[axis] - first[axis] + 1;
   }

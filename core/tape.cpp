@@ -47,6 +47,9 @@ Tape::Tape(std::vector<Field> roots, std::vector<int> orders, int dimension)
   if (orders_.size() == 1) orders_.resize(roots_.size(), orders_[0]);
   if (orders_.size() != roots_.size())
     throw InvalidArgument("a tape needs one order, or one for each root");
+  for (const int order : orders_)
+    if (order < 0)
+      throw InvalidArgument("orders of derivatives start at 0, got " + std::to_string(order));
   program_ = compile(roots_, orders_, dimension_);
 }
 
@@ -63,6 +66,9 @@ Tape::Workspace::Workspace(const Tape& tape)
 
 void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
   if (points.count <= 0) return;
+  if (points.count > block_size)
+    throw InvalidArgument("a block has at most " + std::to_string(block_size) + " points, got " +
+                          std::to_string(points.count));
   double* const memory = workspace.data_;
   // Lanes beyond the last point repeat it, so that kernels always work on whole vectors.
   const int padded = (points.count + batch_width - 1) / batch_width * batch_width;
@@ -73,7 +79,9 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
     for (int i = 1; i < size; ++i)
       std::fill_n(row + i * block_size, padded, i == 1 + slope_axis ? 1.0 : 0.0);
   };
-  const auto pad = [&](double* row) { std::fill(row + points.count, row + padded, row[points.count - 1]); };
+  const auto pad = [&](double* row) {
+    std::fill(row + points.count, row + padded, row[points.count - 1]);
+  };
   for (std::size_t i = 0; i < program_->instructions.size(); ++i) {
     const Instruction& instruction = program_->instructions[i];
     if (const Kernel kernel = program_->kernels[i]) {
@@ -101,8 +109,7 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
       case Operation::source:
         instruction.source->evaluate(points.coordinates, points.count, dimension_,
                                      instruction.order, row, block_size);
-        for (int k = 0; k < jet_size(dimension_, instruction.order); ++k)
-          pad(row + k * block_size);
+        for (int k = 0; k < jet_size(dimension_, instruction.order); ++k) pad(row + k * block_size);
         break;
       default:
         fill(instruction, instruction.number, -2);
@@ -111,9 +118,8 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
 }
 
 FunctionBounds Tape::bounds(const Box& box, int root, double time) const {
-  return in_dimension(dimension_, [&]<int N>() {
-    return SinglePoint<N>::bounds(*program_, root, box, time);
-  });
+  return in_dimension(dimension_,
+                      [&]<int N>() { return SinglePoint<N>::bounds(*program_, root, box, time); });
 }
 
 Interval Tape::value_bounds(const Box& box, int root, double time) const {
@@ -129,10 +135,18 @@ double Tape::value(const Point& point, int root, double time) const {
 }
 
 double Tape::value_and_gradient(const Point& point, Point& gradient, int root, double time) const {
+  if (orders_[root] < 1)
+    throw InvalidArgument("the gradient of a root needs a tape of first order for it");
   gradient = {};
   return in_dimension(dimension_, [&]<int N>() {
     return SinglePoint<N>::value(*program_, root, point, time, &gradient);
   });
+}
+
+bool same_expression(const Field& a, const Field& b) {
+  if (a.same_as(b)) return true;
+  const auto program = compile({a, b}, {0, 0}, 3);
+  return program->root_instructions[0] == program->root_instructions[1];
 }
 
 }  // namespace rfm

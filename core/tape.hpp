@@ -45,11 +45,13 @@ class Tape {
   /// Jets of all roots at up to `block_size` points.
   void evaluate(const PointBlock& points, Workspace& workspace) const;
   /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
-  /// models with interval remainders. Time is taken from `time`.
+  /// models with interval remainders; of a root of order 0 the gradient is not bounded. Time is
+  /// taken from `time`.
   FunctionBounds bounds(const Box& box, int root = 0, double time = 0) const;
   /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
   Interval value_bounds(const Box& box, int root = 0, double time = 0) const;
-  /// Value and gradient of root `root` at one point, without a workspace.
+  /// Value and gradient of root `root` at one point, without a workspace. The gradient needs a root
+  /// of order 1 at least, or else `InvalidArgument` is thrown.
   double value(const Point& point, int root = 0, double time = 0) const;
   double value_and_gradient(const Point& point, Point& gradient, int root = 0,
                             double time = 0) const;
@@ -68,6 +70,9 @@ class Tape {
   int dimension_;
   std::unique_ptr<const Program> program_;
 };
+
+/// Whether two fields are the same expression, node by node (not whether they are equal functions).
+bool same_expression(const Field& a, const Field& b);
 
 /// Scratch memory and results of one thread. Valid for the tape it was made for.
 class Tape::Workspace {

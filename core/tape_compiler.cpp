@@ -150,6 +150,28 @@ class RowPool {
   int rows_ = 0;
 };
 
+// Leaves out what no root needs: constants that went into `scale` and `offset`, and what stood
+// below a derivative that is zero.
+void remove_unused(std::vector<Instruction>& code, std::vector<int>& roots) {
+  std::vector<int> place(code.size(), -1);
+  for (int root : roots) place[root] = 0;
+  for (std::size_t i = code.size(); i-- > 0;)
+    if (place[i] == 0)
+      for (int operand : code[i].operands)
+        if (operand >= 0) place[operand] = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (place[i] < 0) continue;
+    place[i] = count;
+    Instruction instruction = std::move(code[i]);
+    for (int& operand : instruction.operands)
+      if (operand >= 0) operand = place[operand];
+    code[count++] = std::move(instruction);
+  }
+  code.resize(count);
+  for (int& root : roots) root = place[root];
+}
+
 }  // namespace
 
 std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
@@ -158,6 +180,7 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
   auto program = std::make_unique<Tape::Program>();
   for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
   std::vector<Instruction>& code = program->instructions = std::move(compiler.instructions);
+  remove_unused(code, program->root_instructions);
 
   for (std::size_t i = 0; i < roots.size(); ++i) {
     Instruction& root = code[program->root_instructions[i]];
@@ -195,8 +218,7 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
       last_use[operand] = forever;  // an argument may occur twice
       pool.give_back(code[operand].result_row, jet_size(dimension, code[operand].order));
     }
-    program->kernels.push_back(
-        find_kernel(instruction.operation, dimension, instruction.order));
+    program->kernels.push_back(find_kernel(instruction.operation, dimension, instruction.order));
   }
   program->rows = pool.rows();
   for (int root : program->root_instructions) program->root_rows.push_back(code[root].result_row);

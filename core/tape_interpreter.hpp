@@ -84,24 +84,29 @@ struct Interpreter {
     std::array<double, 3> radius{};
     for (int axis = 0; axis < N; ++axis) {
       const double middle = 0.5 * (box.low[axis] + box.high[axis]);
-      radius[axis] =
-          std::max(box.high[axis] - middle, middle - box.low[axis]) * (1 + 0x1p-50);
+      radius[axis] = std::max(box.high[axis] - middle, middle - box.low[axis]) * (1 + 0x1p-50);
     }
     const TaylorBound::Frame frame(radius);
     return at_order(program, [&]<int K>() {
       using Number = Jet<TaylorBound, N, K>;
       const auto jet = interpret<TaylorBound, N, K>(program, root, [&](const Instruction& leaf) {
         if (leaf.operation == Operation::coordinate)
-          return leaf.index == 3 ? Number(time)
-                                 : Number::variable(leaf.index,
-                                                    TaylorBound::coordinate(
+          return leaf.index == 3
+                     ? Number(time)
+                     : Number::variable(leaf.index, TaylorBound::coordinate(
                                                         box.interval(leaf.index), leaf.index));
         return source_bounds<TaylorBound, K>(leaf, box);
       });
       FunctionBounds bounds{jet.c[0].range, {}, jet.c[0].smooth};
+      // A register has meaning up to its own order only.
+      const bool known = program.instructions[program.root_instructions[root]].order >= 1;
       for (int axis = 0; axis < N; ++axis) {
-        bounds.gradient[axis] = K >= 1 ? jet.c[K >= 1 ? 1 + axis : 0].range : Interval::entire();
-        if constexpr (K >= 1) bounds.smooth = bounds.smooth && jet.c[1 + axis].smooth;
+        bounds.gradient[axis] = Interval::entire();
+        if constexpr (K >= 1) {
+          if (!known) continue;
+          bounds.gradient[axis] = jet.c[1 + axis].range;
+          bounds.smooth = bounds.smooth && jet.c[1 + axis].smooth;
+        }
       }
       return bounds;
     });

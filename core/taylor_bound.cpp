@@ -19,11 +19,14 @@ TaylorBound from_range(const Interval& range, bool smooth) {
 TaylorBound closed(TaylorBound model) {
   const double extent = model.linear_extent();
   const double margin = 4e-16 * (std::fabs(model.value) + extent + model.error);
-  model.error += margin;
+  model.error += margin + std::numeric_limits<double>::min();  // results may have underflowed
   const double reach = extent + model.error;
   if (!(reach < huge) || !(std::fabs(model.value) < huge))
     return from_range(model.range, model.smooth);
   model.range = intersection(model.range, Interval(model.value - reach, model.value + reach));
+  // A model whose middle is not even a possible value says less than the range, and functions could
+  // not be expanded about it: their second derivative is known over the range only.
+  if (!model.range.contains(model.value)) return from_range(model.range, model.smooth);
   return model;
 }
 
@@ -61,6 +64,7 @@ TaylorBound TaylorBound::of_range(const Interval& range, bool smooth) {
   if (range.magnitude() < huge) {
     model.value = range.middle();
     model.error = range.radius() + 1e-15 * range.magnitude();
+    if (!range.is_zero()) model.error += std::numeric_limits<double>::min();
   } else {
     model.error = std::numeric_limits<double>::infinity();
   }
@@ -197,12 +201,15 @@ TaylorBound asin(const TaylorBound& a) {
   const Interval rest = Interval(1) - square(a.range);
   const Interval second = regular ? a.range / (rest * sqrt(rest)) : Interval::entire();
   return composed(a, std::asin(std::clamp(a.value, -1.0, 1.0)),
-                  1 / std::sqrt(1 - a.value * a.value), second, asin(a.range),
+                  1 / std::sqrt((1 - a.value) * (1 + a.value)), second, asin(a.range),
                   a.smooth && regular);
 }
 
 TaylorBound acos(const TaylorBound& a) {
-  return TaylorBound(std::numbers::pi / 2) - asin(a);
+  TaylorBound angle = TaylorBound(std::numbers::pi / 2) - asin(a);
+  angle.error += 1e-16;  // π is rounded
+  angle.range = acos(a.range);
+  return closed(angle);
 }
 
 TaylorBound atan(const TaylorBound& a) {
@@ -214,7 +221,20 @@ TaylorBound atan(const TaylorBound& a) {
 TaylorBound atan2(const TaylorBound& y, const TaylorBound& x) {
   const Interval range = atan2(y.range, x.range);
   const bool regular = !(x.range.low <= 0 && y.range.contains(0));
-  return from_range(range, y.smooth && x.smooth && regular);
+  const bool smooth = y.smooth && x.smooth && regular;
+  if (!regular) return from_range(range, smooth);
+  // The smaller quotient of the two is of second order, up to a multiple of π/2.
+  constexpr double pi = std::numbers::pi;
+  const bool steep = farther_from_zero(y.range, x.range) == Truth::yes;
+  const double turn = steep             ? (y.range.low > 0 ? pi / 2 : -pi / 2)
+                      : x.range.low > 0 ? 0
+                      : y.range.low > 0 ? pi
+                                        : -pi;
+  TaylorBound angle = TaylorBound(turn) + (steep ? -atan(x / y) : atan(y / x));
+  angle.error += 1e-15;  // π is rounded
+  angle.range = range;
+  angle.smooth = smooth;
+  return closed(angle);
 }
 
 TaylorBound sinh(const TaylorBound& a) {

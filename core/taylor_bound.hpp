@@ -17,7 +17,8 @@ namespace rfm {
 /// range. `smooth` turns false when an argument touches a point where an operation is not smooth.
 ///
 /// The box is that of `TaylorBound::Frame` in force on the thread: models over different boxes must
-/// not be mixed. Rounding is covered by a margin of 4·10⁻¹⁶ of the sizes involved in each operation.
+/// not be mixed. Rounding is covered by a margin of 4·10⁻¹⁶ of the sizes involved in each
+/// operation, and the smallest normal number for what underflows.
 struct TaylorBound {
   double value = 0;
   std::array<double, 3> slope{};
@@ -83,7 +84,8 @@ inline Truth less_equal(const TaylorBound& a, const TaylorBound& b) {
 inline Truth equal(const TaylorBound& a, const TaylorBound& b) { return equal(a.range, b.range); }
 /// Both sides, and no longer smooth, where the truth is unknown.
 TaylorBound select(Truth condition, const TaylorBound& yes, const TaylorBound& no);
-
-inline void mark_not_smooth(TaylorBound& a) { a.smooth = false; }
+inline Truth farther_from_zero(const TaylorBound& a, const TaylorBound& b) {
+  return farther_from_zero(a.range, b.range);
+}
 
 }  // namespace rfm

@@ -102,6 +102,18 @@ std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluato
 
 }  // namespace
 
+BooleanExpression simplified(const BooleanExpression& expression, const RegionEvaluator& region,
+                             const Box& bounds) {
+  BooleanExpression result = expression;
+  for (int k = 0; k < region.primitive_count(); ++k) {
+    const Interval range = region.level(k).value_bounds(bounds);
+    // A primitive that is zero on a side of the bounding box may bound the region there.
+    if (range.low > 0) result = result.restricted(k, true);
+    if (range.high < 0) result = result.restricted(k, false);
+  }
+  return result;
+}
+
 std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression) {
   std::vector<int> operands;
   collect(expression, static_cast<int>(expression.nodes().size()) - 1, Kind::conjunction, operands);
@@ -112,7 +124,7 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression) {
 
 Weight weight(const BooleanExpression& expression, const RegionEvaluator& region,
               const Box& bounds, CombineRule rule) {
-  const BooleanExpression normal = expression.negations_at_leaves();
+  const BooleanExpression normal = simplified(expression, region, bounds).negations_at_leaves();
   if (rule == CombineRule::r0 || rule == CombineRule::r1) {
     const RSystem system = RAlpha{rule == CombineRule::r1 ? 1.0 : 0.0};
     return {implicit(normal, region.region(), system), formula_of(normal, region.region(), rule)};

@@ -22,6 +22,10 @@ struct Weight {
   std::string formula;
 };
 
+/// `expression` without the primitives whose sign is the same all over `bounds`, which is proved.
+BooleanExpression simplified(const BooleanExpression& expression, const RegionEvaluator& region,
+                             const Box& bounds);
+
 /// The operands of an expression's outermost conjunction (one operand if there is none).
 std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression);
 

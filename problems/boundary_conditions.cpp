@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/boundary_piece.hpp"
+#include "core/tape.hpp"
 #include "problems/boundary_coverage.hpp"
 #include "problems/result_scope.hpp"
 #include "solution_structures/transfinite.hpp"
@@ -42,11 +43,11 @@ struct PrescribedConjuncts {
   Primitives covered;
 };
 
-PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region,
+PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Box& bounds,
                                          const Primitives& prescribed) {
   PrescribedConjuncts result;
   for (const BooleanExpression& conjunct :
-       conjuncts(region.region().expression().negations_at_leaves())) {
+       conjuncts(simplified(region.region().expression(), region, bounds).negations_at_leaves())) {
     Primitives used;
     for (const auto& node : conjunct.nodes())
       if (node.kind == BooleanExpression::Kind::variable) used.insert(node.first);
@@ -63,7 +64,7 @@ Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvalu
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
-  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, whole);
+  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, bounds, whole);
   Weight result = weight(conjuncts.expression, region, bounds, rule);
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
@@ -74,6 +75,41 @@ Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvalu
                       piece.name + "))";
   }
   return result;
+}
+
+// γ / √(1 + (γ/L)²): keeps zeros and slopes of 1 there, and levels off at L.
+Field levelled(const Field& gamma, double length) {
+  return gamma / sqrt(1.0 + gamma * gamma / (length * length));
+}
+
+// How far from the pieces of one set of data: a product, so that it is smooth where pieces of the
+// set meet. Factors level off at the size of the domain, or the distance of one set would be a
+// product of large numbers where that of another is small, and the interpolant would change from
+// one to the other within a thin layer.
+Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
+                     const Box& bounds) {
+  const double length = 1.0 * bounds.longest_side();
+  Weight distance{1.0, ""};
+  const auto multiply = [&](const Field& function, const std::string& formula) {
+    distance.function = distance.function * (levelled(function, length) / length);
+    distance.formula += (distance.formula.empty() ? "" : " * ") + formula;
+  };
+  Primitives whole;
+  for (const PieceCondition& piece : pieces)
+    if (!piece.where) whole.insert(piece.primitive);
+  const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, whole);
+  for (const BooleanExpression& conjunct : conjuncts(prescribed.expression))
+    if (!conjunct.is_constant(true)) {
+      const Weight factor = weight(conjunct, region, bounds, CombineRule::r0);
+      multiply(factor.function, factor.formula);
+    }
+  for (const PieceCondition& piece : pieces) {
+    if (!piece.where && prescribed.covered.contains(piece.primitive)) continue;
+    const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
+    multiply(piece.where ? trim(part.function, *piece.where) : part.function,
+             "trim(omega(" + piece.name + "))");
+  }
+  return distance;
 }
 
 }  // namespace
@@ -132,7 +168,7 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
         piece.enforcement != Enforcement::weak)
       candidates.insert(piece.primitive);
   }
-  const Primitives covered = prescribed_conjuncts(region, candidates).covered;
+  const Primitives covered = prescribed_conjuncts(region, bounds, candidates).covered;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
     if (piece.kind != Condition::Kind::value) continue;
@@ -153,13 +189,11 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
   }
   if (plan.by_structure.empty()) return plan;
   plan.weight = vanishing_on(plan.by_structure, region, bounds, rule);
-  // Conditions of one entry of the list share their data; each entry is one set of the interpolant,
-  // and entries with the same constant are one.
+  // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
   std::vector<std::vector<PieceCondition>> groups;
   for (const PieceCondition& piece : plan.by_structure) {
     const auto same = [&](const std::vector<PieceCondition>& group) {
-      const Field &a = group[0].data[0], &b = piece.data[0];
-      return a.same_as(b) || (a.is_constant() && b.is_constant(a.constant()));
+      return same_expression(group[0].data[0], piece.data[0]);
     };
     const auto group = std::ranges::find_if(groups, same);
     if (group == groups.end())
@@ -168,11 +202,14 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
       group->push_back(piece);
   }
   std::vector<TransfiniteDatum> data;
-  for (const auto& group : groups)
-    data.push_back({group[0].data[0],
-                    groups.size() == 1 ? Field(1.0)
-                                       : vanishing_on(group, region, bounds, rule).function,
-                    1});
+  for (const auto& group : groups) {
+    Weight distance{1.0, ""};
+    if (groups.size() > 1) distance = distance_from(group, region, bounds);
+    data.push_back({group[0].data[0], distance.function, 1});
+    std::string pieces;
+    for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;
+    plan.data_sets.push_back({pieces, distance.formula});
+  }
   plan.data = transfinite_interpolant(data);
   return plan;
 }

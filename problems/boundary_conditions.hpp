@@ -37,6 +37,12 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 struct DirichletPlan {
   Field data = 0.0;             ///< g
   Weight weight{1.0, ""};       ///< ω; 1 where nothing is enforced by structure
+  /// The sets of equal data that g interpolates, and the functions that vanish on them.
+  struct DataSet {
+    std::string pieces;
+    std::string distance;
+  };
+  std::vector<DataSet> data_sets;
   std::vector<PieceCondition> by_structure;
   std::vector<PieceCondition> weakly;
   /// One line for each condition that is enforced weakly without having asked for it.

@@ -2,20 +2,34 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <numeric>
+#include <set>
+#include <string_view>
 
 namespace rfm {
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
-}
+/// What earlier conditions of one priority claim of one piece. Two claims certainly overlap if one
+/// is of the whole piece or if they are of the same region; whether two regions do is geometric.
+struct EarlierClaims {
+  const BoundaryTarget* whole = nullptr;
+  std::map<std::string_view, const BoundaryTarget*> parts;
 
-const BoundaryTarget* target_at(const Condition& condition, const std::string& piece) {
-  for (const BoundaryTarget& target : condition.targets)
-    if (contains(target.pieces, piece)) return &target;
-  return nullptr;
-}
+  /// An earlier claim that overlaps `target`.
+  const BoundaryTarget* find(const BoundaryTarget& target) const {
+    if (whole || parts.empty()) return whole;
+    if (!target.where) return parts.begin()->second;
+    const auto same = parts.find(target.name);
+    return same == parts.end() ? nullptr : same->second;
+  }
+  void add(const BoundaryTarget& target) {
+    if (target.where)
+      parts.emplace(target.name, &target);
+    else if (!whole)
+      whole = &target;
+  }
+};
 
 bool is_rest(const Condition& condition) {
   return std::ranges::any_of(condition.targets, [](const BoundaryTarget& target) {
@@ -27,27 +41,9 @@ bool is_rest(const Condition& condition) {
 std::vector<int> by_priority(const std::vector<Condition>& conditions) {
   std::vector<int> order(conditions.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater<>(), [&](int i) {
-    return conditions[static_cast<std::size_t>(i)].priority;
-  });
+  std::ranges::stable_sort(order, std::greater<>(),
+                           [&](int i) { return conditions[static_cast<std::size_t>(i)].priority; });
   return order;
-}
-
-PieceConditions claims_of(const Problem& problem, const std::string& piece) {
-  PieceConditions result{piece, {}, false};
-  const auto claim = [&](int condition, const std::optional<Field>& where) {
-    // Claims after one of the whole piece never rule.
-    if (!result.is_covered) result.claims.push_back({condition, where});
-    result.is_covered = result.is_covered || !where;
-  };
-  const std::vector<int> order = by_priority(problem.conditions);
-  for (const int i : order)
-    for (const BoundaryTarget& target : problem.conditions[static_cast<std::size_t>(i)].targets)
-      if (contains(target.pieces, piece)) claim(i, target.where);
-  // What no other condition names, whatever the priorities.
-  for (const int i : order)
-    if (is_rest(problem.conditions[static_cast<std::size_t>(i)])) claim(i, {});
-  return result;
 }
 
 }  // namespace
@@ -55,17 +51,37 @@ PieceConditions claims_of(const Problem& problem, const std::string& piece) {
 std::vector<PieceConditions> assign_conditions(const Problem& problem,
                                                const std::vector<std::string>& pieces) {
   std::vector<PieceConditions> assigned;
-  for (const std::string& piece : pieces) assigned.push_back(claims_of(problem, piece));
+  std::map<std::string_view, std::size_t> number;
+  for (const std::string& piece : pieces) {
+    number.emplace(piece, assigned.size());
+    assigned.push_back({piece, {}, false});
+  }
+  const auto claim = [](PieceConditions& piece, int condition, const std::optional<Field>& where) {
+    // Claims after one of the whole piece never rule.
+    if (!piece.is_covered) piece.claims.push_back({condition, where});
+    piece.is_covered = piece.is_covered || !where;
+  };
+  const std::vector<int> order = by_priority(problem.conditions);
+  for (const int i : order)
+    for (const BoundaryTarget& target : problem.conditions[static_cast<std::size_t>(i)].targets)
+      for (const std::string& piece : target.pieces)
+        if (const auto found = number.find(piece); found != number.end())
+          claim(assigned[found->second], i, target.where);
+  // What no other condition names, whatever the priorities.
+  for (const int i : order)
+    if (is_rest(problem.conditions[static_cast<std::size_t>(i)]))
+      for (PieceConditions& piece : assigned) claim(piece, i, {});
   return assigned;
 }
 
 void check_boundary_coverage(const Problem& problem, const std::vector<std::string>& pieces) {
   MistakeList mistakes;
+  const std::set<std::string> known(pieces.begin(), pieces.end());
   for (const Condition& condition : problem.conditions)
     for (const BoundaryTarget& target : condition.targets)
       if (target.kind == BoundaryTarget::Kind::pieces &&
           std::ranges::none_of(target.pieces,
-                               [&](const std::string& piece) { return contains(pieces, piece); }))
+                               [&](const std::string& piece) { return known.contains(piece); }))
         mistakes.add("'" + target.name + "' is not part of the boundary of the domain",
                      target.place);
   std::vector<std::string> uncovered;
@@ -89,21 +105,23 @@ void check_overlaps(const Problem& problem, MistakeList& mistakes) {
                    {{"the other is here", rest->place}});
     rest = &condition;
   }
-  for (std::size_t i = 1; i < problem.conditions.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const Condition& later = problem.conditions[i];
-      const Condition& earlier = problem.conditions[j];
-      if (later.priority != earlier.priority) continue;
-      for (const auto& primitive : problem.domain->primitives()) {
-        const BoundaryTarget* a = target_at(later, primitive->name);
-        const BoundaryTarget* b = target_at(earlier, primitive->name);
-        if (!a || !b || (a->where && b->where && a->name != b->name)) continue;
-        mistakes.add("two conditions for '" + primitive->name +
-                         "': give one of them a larger 'priority'",
-                     a->place, {{"the other is here", b->place}});
-        break;
-      }
-    }
+  std::map<std::pair<std::string, int>, EarlierClaims> earlier;  // by piece and priority
+  for (const Condition& condition : problem.conditions) {
+    const BoundaryTarget* other = nullptr;
+    const BoundaryTarget* target = nullptr;
+    std::string piece;
+    for (const BoundaryTarget& candidate : condition.targets)
+      for (const std::string& name : candidate.pieces)
+        if (!other && (other = earlier[{name, condition.priority}].find(candidate))) {
+          target = &candidate;
+          piece = name;
+        }
+    if (other)
+      mistakes.add("two conditions for '" + piece + "': give one of them a larger 'priority'",
+                   target->place, {{"the other is here", other->place}});
+    for (const BoundaryTarget& claim : condition.targets)
+      for (const std::string& name : claim.pieces) earlier[{name, condition.priority}].add(claim);
+  }
 }
 
 }  // namespace rfm

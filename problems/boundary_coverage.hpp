@@ -13,8 +13,8 @@ struct PieceClaim {
   std::optional<Field> where;
 };
 
-/// Who rules where on one piece (a primitive that bounds the domain): at a point, the first claim in
-/// the list whose `where` is ≥ 0 there, by falling priority.
+/// Who rules where on one piece (a primitive that bounds the domain): at a point, the first claim
+/// in the list whose `where` is ≥ 0 there, by falling priority.
 struct PieceConditions {
   std::string piece;
   std::vector<PieceClaim> claims;

@@ -22,13 +22,14 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<std::string> BoundaryReader::pieces_of(const std::string& name) const {
+std::vector<std::string> BoundaryReader::pieces_of(const std::string& name) {
+  if (pieces_.empty())
+    for (const auto& primitive : shapes_.domain()->primitives()) pieces_.insert(primitive->name);
+  if (pieces_.contains(name)) return {name};
   std::vector<std::string> pieces;
-  const auto shape = shapes_.shapes().find(name);
-  for (const auto& primitive : shapes_.domain()->primitives())
-    if (primitive->name == name ||
-        (shape != shapes_.shapes().end() && is_piece_of(shape->second, primitive->name)))
-      pieces.push_back(primitive->name);
+  if (const auto shape = shapes_.shapes().find(name); shape != shapes_.shapes().end())
+    for (const auto& primitive : shape->second.primitives())
+      if (pieces_.contains(primitive->name)) pieces.push_back(primitive->name);
   return pieces;
 }
 
@@ -86,8 +87,8 @@ std::vector<BoundaryTarget> BoundaryReader::targets(const DocumentNode& node) {
     for (const BoundaryTarget& earlier : targets)
       if (earlier.name == name.text)
         return values_.mistakes.add("'" + name.text + "' is named twice", name.place);
-    if (auto found = values_.guarded<BoundaryTarget>(
-            name, [&] { return target(name.text, name.place); }))
+    if (auto found =
+            values_.guarded<BoundaryTarget>(name, [&] { return target(name.text, name.place); }))
       targets.push_back(std::move(*found));
   };
   if (node.is_scalar()) add(node);
@@ -141,8 +142,8 @@ void BoundaryReader::read_condition(const DocumentNode& node) {
   if (const DocumentNode* priority = values_.find(node, "priority"))
     condition.priority = values_.integer(*priority).value_or(0);
   if (const DocumentNode* enforce = values_.find(node, "enforce"))
-    condition.enforcement = enforce->text == "weak" ? Condition::Enforcement::weak
-                                                    : Condition::Enforcement::structure;
+    condition.enforcement =
+        enforce->text == "weak" ? Condition::Enforcement::weak : Condition::Enforcement::structure;
   ExpressionScope scope = values_.scope;
   define_normal(scope, stand_in_normal(values_.dimension));
   read_data(node, scope, condition);
@@ -175,10 +176,11 @@ void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& 
 void BoundaryReader::report_unused() {
   const DocumentNode* regions = values_.find(root_, "regions");
   if (!regions) return;
-  const bool is_sound = values_.mistakes.empty();
+  std::set<std::string, std::less<>> named;
+  if (!values_.mistakes.empty()) named = words_of(root_);
   for (const DocumentNode::Entry& entry : regions->entries)
     if (problem_.regions.contains(entry.key) && !used_regions_.contains(entry.key) &&
-        (is_sound || !names_word(root_, entry.key)))
+        !named.contains(entry.key))
       values_.mistakes.add("the region '" + entry.key + "' is not used", entry.key_place);
 }
 

@@ -15,8 +15,8 @@ class BoundaryReader {
 
   void read_regions();
   void read_conditions();
-  /// The part of the boundary that a name stands for. Throws `InputError` for a name that stands for
-  /// none, with a suggestion.
+  /// The part of the boundary that a name stands for. Throws `InputError` for a name that stands
+  /// for none, with a suggestion.
   BoundaryTarget target(const std::string& name, const Place& place);
   bool is_region(const std::string& name) const { return problem_.regions.contains(name); }
   /// Regions that nothing names are mistakes; in a document with other mistakes only those that no
@@ -24,7 +24,7 @@ class BoundaryReader {
   void report_unused();
 
  private:
-  std::vector<std::string> pieces_of(const std::string& name) const;
+  std::vector<std::string> pieces_of(const std::string& name);
   std::vector<BoundaryTarget> targets(const DocumentNode& node);
   void read_region(const DocumentNode::Entry& entry);
   void read_condition(const DocumentNode& node);
@@ -34,6 +34,7 @@ class BoundaryReader {
   ValueReader& values_;
   ShapeReader& shapes_;
   Problem& problem_;
+  std::set<std::string> pieces_;  ///< primitives of the domain
   std::set<std::string> used_regions_;
 };
 

@@ -14,7 +14,7 @@ namespace rfm {
 namespace {
 
 void add_run_options(CLI::App& app, CommandLine& line) {
-  app.add_option("FILE", line.files, "Problem files");
+  app.add_option("FILE", line.files, "Problem files")->type_name("");
   app.add_option("--set", line.overrides,
                  "Set a key of the file: path=value, as discretization.basis.cells=32 or "
                  "conditions.0.value=3; may be repeated")
@@ -36,7 +36,8 @@ void add_solve_options(CLI::App& app, CommandLine& line) {
   app.add_flag("--picture", line.picture, "Draw a picture of the solution");
   app.add_flag("--quiet", line.quiet, "Print errors only");
   app.add_flag("--json", line.json, "Print summary.json");
-  app.add_flag("!--no-verify", line.verify, "Skip what the file asks to verify");
+  app.add_flag_callback(
+      "--no-verify", [&line] { line.verify = false; }, "Skip what the file asks to verify");
 }
 
 CommandLine printed(std::string text, int exit_status) {
@@ -66,7 +67,8 @@ std::string unknown_options(const std::vector<std::string>& extras) {
 
 CommandLine parse_command_line(std::vector<std::string> arguments) {
   CommandLine line;
-  CLI::App app("Solves the boundary value problems of problem files with R-functions.", "rfm-solve");
+  CLI::App app("Solves the boundary value problems of problem files with R-functions.",
+               "rfm-solve");
   app.set_version_flag("--version", "rfm-solve " RFM_VERSION);
   app.footer(
       "Exit status: 0 solved and every expectation holds; 1 an expectation is missed; 2 the input "

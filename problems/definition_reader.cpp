@@ -133,43 +133,52 @@ class DefinitionReader::Definitions {
     }
   }
 
+  struct Visit {
+    const Definition* definition;
+    std::vector<const Definition*> next;
+  };
+
   // Depth-first search with a stack of its own: chains of definitions may be long.
   void refuse_cycles() {
-    std::set<const Definition*> done;
+    std::set<const Definition*> done, open;
+    std::vector<Visit> path;
+    const auto enter = [&](const Definition* definition) {
+      path.push_back({definition, used_by(*definition)});
+      open.insert(definition);
+    };
     for (const Definition& start : definitions_) {
-      struct Visit {
-        const Definition* definition;
-        std::vector<const Definition*> next;
-      };
-      std::vector<Visit> path;
-      const auto enter = [&](const Definition* definition) {
-        path.push_back({definition, used_by(*definition)});
-      };
       if (!done.contains(&start)) enter(&start);
       while (!path.empty()) {
         Visit& visit = path.back();
         if (visit.next.empty()) {
           done.insert(visit.definition);
+          open.erase(visit.definition);
           order_.push_back(visit.definition);
           path.pop_back();
           continue;
         }
         const Definition* next = visit.next.back();
         visit.next.pop_back();
-        const auto earlier = std::ranges::find(path, next, &Visit::definition);
-        if (earlier != path.end()) {
-          std::string cycle;
-          for (auto step = earlier; step != path.end(); ++step) {
-            cycle += step->definition->name + " -> ";
-            broken_.insert(step->definition);
-          }
-          values_.mistakes.add("a definition that uses itself: " + cycle + next->name,
-                               next->entry->key_place);
-        } else if (!done.contains(next)) {
+        if (open.contains(next))
+          report_cycle(path, next);
+        else if (!done.contains(next))
           enter(next);
-        }
       }
     }
+  }
+
+  void report_cycle(const std::vector<Visit>& path, const Definition* start) {
+    constexpr int most_named = 10;
+    std::string cycle;
+    int length = 0;
+    for (auto step = std::ranges::find(path, start, &Visit::definition); step != path.end();
+         ++step) {
+      broken_.insert(step->definition);
+      if (++length <= most_named) cycle += step->definition->name + " -> ";
+    }
+    if (length > most_named) cycle += "... -> ";
+    values_.mistakes.add("a definition that uses itself: " + cycle + start->name,
+                         start->entry->key_place);
   }
 
   std::vector<const Definition*> used_by(const Definition& definition) const {

@@ -15,12 +15,12 @@ class DefinitionReader {
   DefinitionReader(const DocumentNode& root, ValueReader& values, Problem& problem);
   ~DefinitionReader();
 
-  /// `values.scope` must already hold what every formula may name, except `omega`. Parameters may use
-  /// each other in any order; definitions that use themselves, however indirectly, are mistakes that
-  /// name the cycle.
+  /// `values.scope` must already hold what every formula may name, except `omega`. Parameters may
+  /// use each other in any order; definitions that use themselves, however indirectly, are mistakes
+  /// that name the cycle.
   void read();
-  /// Checks every field and function as a formula, with stand-ins for what is known only later. To be
-  /// called when `omega(name)` has a meaning, before anything uses a definition.
+  /// Checks every field and function as a formula, with stand-ins for what is known only later. To
+  /// be called when `omega(name)` has a meaning, before anything uses a definition.
   void check();
 
  private:

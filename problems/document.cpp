@@ -37,9 +37,10 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse("aliases are not supported: name the value under 'parameters' or 'fields' (quote a text "
-           "that begins with '*')",
-           mark);
+    refuse(
+        "aliases are not supported: name the value under 'parameters' or 'fields' (quote a text "
+        "that begins with '*')",
+        mark);
   }
 
   void OnAnchor(const YAML::Mark& mark, const std::string&) override {
@@ -114,8 +115,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (parent.node.is_list()) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.key) {
-      if (!node.is_scalar())
-        throw ProblemFileErrors({{"a key must be a name", node.place}});
+      if (!node.is_scalar()) throw ProblemFileErrors({{"a key must be a name", node.place}});
       parent.key = std::move(node);
     } else {
       // The parser places a missing value at whatever follows: its key is where one looks.
@@ -131,7 +131,8 @@ class TreeBuilder : public YAML::EventHandler {
 
 bool has_tab_in_indentation(std::string_view line) {
   const std::size_t text = line.find_first_not_of(" \t");
-  return line.substr(0, text).find('\t') != std::string_view::npos && text != std::string_view::npos;
+  return line.substr(0, text).find('\t') != std::string_view::npos &&
+         text != std::string_view::npos;
 }
 
 // What the parser's messages mean to somebody who wrote a problem file. Begins of messages, since
@@ -191,7 +192,8 @@ Mistake translated(const YAML::Exception& exception, const std::optional<Place>&
   if (message.find("irective") != std::string_view::npos ||
       message.find("VERSION") != std::string_view::npos)
     return {"directives (lines that begin with '%') are not supported", place};
-  if (message.find("tag") != std::string_view::npos || message.find("TAG") != std::string_view::npos)
+  if (message.find("tag") != std::string_view::npos ||
+      message.find("TAG") != std::string_view::npos)
     return {"tags are not supported (quote a text that begins with '!')", place};
   return {"this is not YAML: check quotes, brackets and indentation", place};
 }
@@ -203,7 +205,11 @@ std::size_t valid_character(std::string_view text, std::size_t i) {
   };
   const unsigned lead = byte(0);
   if (lead < 0x80) return 1;
-  const std::size_t length = lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0xC2   ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
   for (std::size_t k = 1; k < length; ++k)
     if ((byte(k) & 0xC0u) != 0x80u) return 0;
   // Overlong forms, surrogates and what lies beyond U+10FFFF.
@@ -253,21 +259,20 @@ Place DocumentNode::place_within(std::size_t offset, std::size_t length) const {
   return within;
 }
 
-bool names_word(const DocumentNode& root, std::string_view word) {
+std::set<std::string, std::less<>> words_of(const DocumentNode& root) {
   const auto is_part = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
-  const std::string_view text = root.text;
-  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !is_part(text[at - 1])) && (end == text.size() || !is_part(text[end])))
-      return true;
+  std::set<std::string, std::less<>> words;
+  for (auto begin = root.text.begin(); begin != root.text.end();) {
+    begin = std::find_if(begin, root.text.end(), is_part);
+    const auto end = std::find_if_not(begin, root.text.end(), is_part);
+    if (begin != end) words.emplace(begin, end);
+    begin = end;
   }
-  return std::ranges::any_of(root.items,
-                             [&](const DocumentNode& item) { return names_word(item, word); }) ||
-         std::ranges::any_of(root.entries, [&](const DocumentNode::Entry& entry) {
-           return names_word(entry.value, word);
-         });
+  for (const DocumentNode& item : root.items) words.merge(words_of(item));
+  for (const DocumentNode::Entry& entry : root.entries) words.merge(words_of(entry.value));
+  return words;
 }
 
 DocumentNode parse_document(std::shared_ptr<const SourceText> source) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,8 +30,8 @@ struct DocumentNode {
   /// The value of the first entry with this key, or null.
   const DocumentNode* find(std::string_view key) const;
   DocumentNode* find(std::string_view key);
-  /// The place of `length` bytes from `offset` of a scalar's text: exact where the text stands in the
-  /// file as it is, else the place of the scalar.
+  /// The place of `length` bytes from `offset` of a scalar's text: exact where the text stands in
+  /// the file as it is, else the place of the scalar.
   Place place_within(std::size_t offset, std::size_t length) const;
 };
 
@@ -40,8 +41,8 @@ struct DocumentNode::Entry {
   DocumentNode value;
 };
 
-/// Whether a scalar of the tree contains `word` as a whole word.
-bool names_word(const DocumentNode& root, std::string_view word);
+/// The words (letters, digits and `_`) of all scalars of a tree.
+std::set<std::string, std::less<>> words_of(const DocumentNode& root);
 
 /// Parses YAML into a tree. Anchors, aliases, tags and several documents in one text are refused.
 /// Throws `ProblemFileErrors` with one mistake on text that is not YAML, not UTF-8, or nested more

@@ -45,11 +45,11 @@ class PhysicsReader {
     return coefficient;
   }
 
-  std::optional<PhysicalCoefficient> read_matrix(const DocumentNode& node, PhysicalCoefficient coefficient) {
+  std::optional<PhysicalCoefficient> read_matrix(const DocumentNode& node,
+                                                 PhysicalCoefficient coefficient) {
     const auto size = static_cast<std::size_t>(values_.dimension);
     const bool is_square =
-        node.items.size() == size &&
-        std::ranges::all_of(node.items, [&](const DocumentNode& row) {
+        node.items.size() == size && std::ranges::all_of(node.items, [&](const DocumentNode& row) {
           return row.is_list() && row.items.size() == size &&
                  std::ranges::all_of(row.items, &DocumentNode::is_scalar);
         });
@@ -67,8 +67,7 @@ class PhysicsReader {
             entry, [&] { return to_field(Expression(entry.text), values_.scope); });
         coefficient.entries.push_back(field.value_or(1.0));
       }
-    return check_symmetry(node, coefficient) ? std::optional(std::move(coefficient))
-                                             : std::nullopt;
+    return check_symmetry(node, coefficient) ? std::optional(std::move(coefficient)) : std::nullopt;
   }
 
   // Only equal numbers or equal texts are symmetric: whether two formulas are equal functions

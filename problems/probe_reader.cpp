@@ -82,11 +82,11 @@ class ProbeReader {
       });
       if (!found) return;
     }
-    const auto kinds = std::to_array<std::pair<const char*, Probe::Kind>>(
-        {{"integral", Probe::Kind::integral},
-         {"average", Probe::Kind::average},
-         {"max", Probe::Kind::max},
-         {"min", Probe::Kind::min}});
+    const auto kinds =
+        std::to_array<std::pair<const char*, Probe::Kind>>({{"integral", Probe::Kind::integral},
+                                                            {"average", Probe::Kind::average},
+                                                            {"max", Probe::Kind::max},
+                                                            {"min", Probe::Kind::min}});
     for (const auto& [key, kind] : kinds) {
       const DocumentNode* node = values_.find(map, key);
       if (!node) continue;

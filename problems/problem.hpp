@@ -12,8 +12,9 @@
 
 namespace rfm {
 
-/// A formula whose names may have their meaning later: results exist only after the solve, the normal
-/// only on a boundary. It was checked when the file was read, with stand-ins for those names.
+/// A formula whose names may have their meaning later: results exist only after the solve, the
+/// normal only on a boundary. It was checked when the file was read, with stand-ins for those
+/// names.
 class DeferredExpression {
  public:
   /// Throws `ProblemFileErrors` if the text is not a formula.
@@ -153,7 +154,8 @@ struct Outputs {
   std::optional<Picture> picture;
 };
 
-/// A problem file, read and checked: names are resolved, numbers are numbers, defaults are filled in.
+/// A problem file, read and checked: names are resolved, numbers are numbers, defaults are filled
+/// in.
 struct Problem {
   std::string file;
   std::string title;

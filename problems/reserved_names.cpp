@@ -11,7 +11,7 @@ namespace rfm {
 namespace {
 
 constexpr std::array<std::string_view, 16> reserved = {
-    "x",    "y",      "z",        "t", "n",        "pi",   "rest",  "all",
+    "x",    "y",      "z",        "t", "n",        "pi",   "rest", "all",
     "free", "domain", "boundary", "u", "gradient", "flux", "true", "false"};
 
 }  // namespace

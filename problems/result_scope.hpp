@@ -10,8 +10,8 @@ namespace rfm {
 
 /// The results of a scalar problem as formulas name them.
 struct ScalarResults {
-  Field unknown;             ///< u
-  std::vector<Field> flux;   ///< +k grad(u): `flux`, `flux.x`, …
+  Field unknown;            ///< u
+  std::vector<Field> flux;  ///< +k grad(u): `flux`, `flux.x`, …
   int dimension = 2;
 };
 

@@ -30,6 +30,9 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   if (!problem.problem().title.empty()) log.line("{}", problem.problem().title);
   if (!problem.dirichlet().by_structure.empty())
     log.line("structure: u = g + omega psi, omega = {}", problem.dirichlet().weight.formula);
+  if (problem.dirichlet().data_sets.size() > 1)
+    for (const auto& set : problem.dirichlet().data_sets)
+      log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
   for (const std::string& remark : problem.dirichlet().remarks) log.line("note: {}", remark);
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes the level of u; its mean is set to zero");

@@ -69,9 +69,10 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
     }
   const auto check_quantity = [&](const DocumentNode& node) {
     constexpr std::array<std::string_view, 14> parts = {
-        "probes",   "errors",   "measures",    "energy",      "unknowns",
-        "cells",    "seconds",  "eigenvalues", "frequencies", "factors",
-        "convergence", "boundary_residual", "estimated_error", "peak_memory_mb"};
+        "probes",          "errors",        "measures",    "energy",
+        "unknowns",        "cells",         "seconds",     "eigenvalues",
+        "frequencies",     "factors",       "convergence", "boundary_residual",
+        "estimated_error", "peak_memory_mb"};
     const std::string first = node.text.substr(0, node.text.find_first_of(".["));
     const std::vector<std::string> known(parts.begin(), parts.end());
     if (std::ranges::find(known, first) == known.end())
@@ -106,8 +107,7 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
       if (const DocumentNode* tolerance = values.find(item, "relative_tolerance"))
         expectation.relative_tolerance = values.number(*tolerance);
       if (!item.find("tolerance") && !item.find("relative_tolerance"))
-        values.mistakes.add("an expectation needs a tolerance or a relative_tolerance",
-                            item.place);
+        values.mistakes.add("an expectation needs a tolerance or a relative_tolerance", item.place);
       verification.expectations.push_back(std::move(expectation));
     }
   const DocumentNode* convergence = values.find(*map, "convergence");
@@ -148,9 +148,9 @@ void read_outputs(const DocumentNode& root, ValueReader& values, Problem& proble
   known.insert(known.end(), problem.fields.begin(), problem.fields.end());
   const auto check_name = [&](const DocumentNode& node) {
     if (std::ranges::find(known, node.text) == known.end())
-      values.mistakes.add("unknown result or field '" + node.text + "'" +
-                              did_you_mean(node.text, known),
-                          node.place);
+      values.mistakes.add(
+          "unknown result or field '" + node.text + "'" + did_you_mean(node.text, known),
+          node.place);
   };
   if (const DocumentNode* fields = values.find(*map, "fields"))
     for (const DocumentNode& item : fields->items) {

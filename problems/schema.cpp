@@ -66,7 +66,8 @@ class TreeBuilder {
     }
     const bool is_word = rest.starts_with('=');
     if (is_word || rest.starts_with('.')) rest.remove_prefix(1);
-    const std::size_t end = is_word ? rest.size() : std::min(rest.find_first_of(".[="), rest.size());
+    const std::size_t end =
+        is_word ? rest.size() : std::min(rest.find_first_of(".[="), rest.size());
     name = rest.substr(0, end);
     rest.remove_prefix(end);
     return is_word ? parent.words : name == "*" ? parent.named : parent.keys;

@@ -53,8 +53,8 @@ struct Presence {
 /// Whether this program does what a key asks for. `later` keys are refused as "not supported yet".
 enum class Status { works, later };
 
-/// One row of the table of keys. Everything that depends on what keys there are reads the table: the
-/// checks of the reader with their suggestions, the defaults, `explain` and the JSON Schema.
+/// One row of the table of keys. Everything that depends on what keys there are reads the table:
+/// the checks of the reader with their suggestions, the defaults, `explain` and the JSON Schema.
 struct SchemaRow {
   /// `geometry.shapes.*.circle.radius`: `*` is a name of the user's choice, `[]` an item of a list,
   /// and `physics.type=heat` a word that the key may have.

@@ -67,9 +67,9 @@ class StructureCheck {
                                             : 0u;
     if (!key.takes(types)) {
       const std::string what = key.path.empty() ? "a problem file" : "'" + label + "'";
-      return mistakes_.add("expected " + expected_text(key) + " for " + what + " but found " +
-                               kind_text(node.kind),
-                           node.place);
+      return mistakes_.add(
+          "expected " + expected_text(key) + " for " + what + " but found " + kind_text(node.kind),
+          node.place);
     }
     const bool fits = node.is_scalar() ? check_scalar(node, key, label)
                       : node.is_list() ? check_list(node, key, label)
@@ -225,7 +225,8 @@ class StructureCheck {
           child.status == Status::later ||
           (!child.presence.unless.empty() && node.find(child.presence.unless)))
         continue;
-      if (child.presence.kind == Presence::Kind::alternative && has_alternative(node, key)) continue;
+      if (child.presence.kind == Presence::Kind::alternative && has_alternative(node, key))
+        continue;
       const auto source =
           make_source("default of " + child.path, std::string(child.presence.standard), false);
       node.entries.push_back({child.name, {source}, parse_document(source)});
@@ -257,9 +258,9 @@ class StructureCheck {
     const std::string expected = "; expected: " + joined(known);
     const auto other = std::ranges::find(key.keys, entry.key, &SchemaKey::name);
     if (other != key.keys.end()) {
-      mistakes_.add("key '" + entry.key + "'" + in + " goes with " + joined(other->when) + " only" +
-                        expected,
-                    entry.key_place);
+      mistakes_.add(
+          "key '" + entry.key + "'" + in + " goes with " + joined(other->when) + " only" + expected,
+          entry.key_place);
       return {};
     }
     // Keys that are not supported yet are not offered, but a misspelt one is recognised.
@@ -301,8 +302,8 @@ class StructureCheck {
     }
     if (!has_alternatives) return;
     if (alternatives.empty() && taken_for.empty())
-      mistakes_.add((label.empty() ? "this" : label) + " needs one of: " +
-                        joined(applicable_keys(key, active, true)),
+      mistakes_.add((label.empty() ? "this" : label) +
+                        " needs one of: " + joined(applicable_keys(key, active, true)),
                     owner);
     if (alternatives.size() > 1) {
       std::ranges::sort(alternatives);  // entries are in the order of the text

@@ -15,8 +15,8 @@ using SchemaMatch = std::unordered_map<const DocumentNode*, const SchemaKey*>;
 
 /// Checks the structure of a document against the table of keys (unknown, duplicate, missing and
 /// exclusive keys, kinds of values, words, what is not supported yet) and adds the defaults of keys
-/// that were left out, so that readers find every key that has one. Formulas and names are not looked
-/// at. Pointers in the result are valid as long as the document is not changed.
+/// that were left out, so that readers find every key that has one. Formulas and names are not
+/// looked at. Pointers in the result are valid as long as the document is not changed.
 SchemaMatch check_structure(DocumentNode& root, MistakeList& mistakes);
 
 }  // namespace rfm

@@ -63,8 +63,8 @@ bool is_subsequence(const std::vector<std::string>& part, const std::vector<std:
 // user's choice stand in between.
 bool matches(const std::vector<std::string>& asked, const std::vector<std::string>& names) {
   if (asked.empty()) return false;
-  const bool is_end = asked.size() <= names.size() &&
-                      std::equal(asked.rbegin(), asked.rend(), names.rbegin());
+  const bool is_end =
+      asked.size() <= names.size() && std::equal(asked.rbegin(), asked.rend(), names.rbegin());
   return is_end || (asked.front() == names.front() && asked.back() == names.back() &&
                     is_subsequence(names, asked));
 }

@@ -49,10 +49,10 @@ std::vector<Json> type_schemas(const SchemaKey& key) {
     schemas.push_back({{"type", "object"}, {"additionalProperties", formula}});
   if (key.takes(named_map_value))
     schemas.push_back({{"type", "object"}, {"additionalProperties", value_schema(key.named[0])}});
-  const bool has_keys = key.path.empty() || std::any_of(key.keys.begin(), key.keys.end(),
-                                                        [](const SchemaKey& child) {
-                                                          return child.status == Status::works;
-                                                        });
+  const bool has_keys =
+      key.path.empty() || std::any_of(key.keys.begin(), key.keys.end(), [](const SchemaKey& child) {
+        return child.status == Status::works;
+      });
   if (key.takes(map_value) && has_keys) schemas.push_back(map_schema(key));
   return schemas;
 }
@@ -78,8 +78,7 @@ Json map_schema(const SchemaKey& key) {
     alternatives.push_back({{"required", Json::array({child.name})}});
     has_standard_alternative |= !child.presence.standard.empty();
   }
-  Json schema = {
-      {"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   if (!needed.empty()) schema["required"] = needed;
   if (!alternatives.empty() && !has_standard_alternative) schema["oneOf"] = alternatives;
   return schema;

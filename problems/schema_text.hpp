@@ -9,8 +9,8 @@ namespace rfm {
 /// `conditions.0.value`. Throws `InputError` for a key that does not exist, with a suggestion.
 std::string explain_key(const std::string& key);
 
-/// The table as a JSON Schema (draft 2020-12), for editors. Keys that are not supported yet are left
-/// out, so that an editor marks them as the reader does.
+/// The table as a JSON Schema (draft 2020-12), for editors. Keys that are not supported yet are
+/// left out, so that an editor marks them as the reader does.
 std::string json_schema_text();
 
 }  // namespace rfm

@@ -33,6 +33,14 @@ bool has_side(const Region& region, const std::string& name) {
                              [&](const auto& primitive) { return primitive->name == name; });
 }
 
+// What stands for a shape that has a mistake.
+Region stand_in(int dimension) {
+  Field inside = 1.0;
+  for (int axis = 0; axis < dimension; ++axis)
+    inside = inside - coordinate(axis) * coordinate(axis);
+  return level_set(inside, dimension);
+}
+
 std::string shape_of_side(const std::string& name) { return name.substr(0, name.find('.')); }
 
 }  // namespace
@@ -55,7 +63,7 @@ ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values)
 ShapeReader::~ShapeReader() { values_.scope.define_function("omega", final_omega()); }
 
 void ShapeReader::read_all() {
-  for (const auto& [name, node] : nodes_) {
+  for (const std::string& name : keys_of(nodes_)) {
     DocumentNode named;
     named.text = name;
     named.place = key_places_.at(name);
@@ -81,9 +89,8 @@ void ShapeReader::mark_used(const std::string& shape) {
 std::optional<Region> ShapeReader::region(const DocumentNode& node) {
   if (!values_.fits(node) || !node.is_scalar()) return std::nullopt;
   return values_.guarded<Region>(node, [&] {
-    return BooleanText(node.text).region([&](const BooleanText::Name& name) {
-      return shape(name);
-    });
+    return BooleanText(node.text).region(
+        [&](const BooleanText::Name& name) { return shape(name); });
   });
 }
 
@@ -93,8 +100,8 @@ const Region& ShapeReader::built(const std::string& name, std::size_t offset) {
   if (node == nodes_.end()) {
     const std::string shape = shape_of_side(name);
     if (shape != name && nodes_.contains(shape))
-      throw InputError("'" + name + "' is a side of '" + shape + "': a shape is needed here", offset,
-                       name.size());
+      throw InputError("'" + name + "' is a side of '" + shape + "': a shape is needed here",
+                       offset, name.size());
     throw InputError("unknown shape '" + name + "'" + did_you_mean(name, keys_of(nodes_)), offset,
                      name.size());
   }
@@ -104,8 +111,7 @@ const Region& ShapeReader::built(const std::string& name, std::size_t offset) {
     throw InputError("a shape that contains itself: " + cycle + name, offset, name.size());
   }
   if (building_.size() == deepest_shapes)
-    throw InputError("shapes name each other more than " + std::to_string(deepest_shapes) +
-                         " deep",
+    throw InputError("shapes name each other more than " + std::to_string(deepest_shapes) + " deep",
                      offset, name.size());
   building_.push_back(name);
   Region region = build(name, *node->second);
@@ -121,7 +127,7 @@ Region ShapeReader::build(const std::string& name, const DocumentNode& node) {
         // Sides keep the names of the shapes they come from.
         return entry.key == "combine" ? region : region.named(name);
       }
-  return circle({0, 0}, 1).named(name);
+  return stand_in(values_.dimension).named(name);
 }
 
 Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node) {
@@ -151,7 +157,10 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
   }
   if (kind == "expression")
     return level_set(values_.field(node).value_or(x_coordinate()), values_.dimension);
-  if (kind == "combine") return region(node).value_or(circle({0, 0}, 1).named(building_.back()));
+  if (kind == "combine") {
+    const std::optional<Region> combined = region(node);
+    return combined ? *combined : stand_in(values_.dimension).named(building_.back());
+  }
   throw InvalidArgument("shapes of kind " + kind + " cannot be built");
 }
 
@@ -191,7 +200,7 @@ ExpressionFunction ShapeReader::final_omega() const {
 }
 
 void ShapeReader::report_unused() {
-  std::set<std::string> used;
+  std::set<std::string, std::less<>> used;
   std::vector<std::string> pending = {""};
   while (!pending.empty()) {
     const std::string user = pending.back();
@@ -199,10 +208,9 @@ void ShapeReader::report_unused() {
     for (const std::string& name : names_in_[user])
       if (used.insert(name).second) pending.push_back(name);
   }
-  const bool is_sound = values_.mistakes.empty();
+  if (!values_.mistakes.empty()) used.merge(words_of(root_));
   for (const auto& [name, place] : key_places_)
-    if (!used.contains(name) && (is_sound || !names_word(root_, name)))
-      values_.mistakes.add("the shape '" + name + "' is not used", place);
+    if (!used.contains(name)) values_.mistakes.add("the shape '" + name + "' is not used", place);
 }
 
 }  // namespace rfm

@@ -10,9 +10,9 @@
 
 namespace rfm {
 
-/// Reads `geometry.shapes` and the domain. Shapes are built when they are first named, since they may
-/// name each other in any order: `combine`, and `omega(name)` in formulas. Gives `omega` its meaning
-/// in the scope of `values`.
+/// Reads `geometry.shapes` and the domain. Shapes are built when they are first named, since they
+/// may name each other in any order: `combine`, and `omega(name)` in formulas. Gives `omega` its
+/// meaning in the scope of `values`.
 class ShapeReader {
  public:
   /// Both must outlive the reader.
@@ -27,8 +27,8 @@ class ShapeReader {
   std::optional<Region> region(const DocumentNode& node);
   /// To be called for shapes that are named other than in texts given to `region`.
   void mark_used(const std::string& shape);
-  /// Shapes that neither the domain nor a used shape nor `mark_used` names are mistakes. In a document
-  /// with other mistakes only those that no text of it names.
+  /// Shapes that neither the domain nor a used shape nor `mark_used` names are mistakes. In a
+  /// document with other mistakes only those that no text of it names.
   void report_unused();
 
   /// Shapes that were built; those with mistakes are stand-ins of the same kind.

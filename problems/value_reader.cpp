@@ -37,9 +37,9 @@ std::optional<double> ValueReader::number_within(const DocumentNode& node,
   return guarded<double>(node, [&] {
     const double value = to_number(Expression(node.text), number_scope);
     if (!key.range.contains(value))
-      throw InputError("expected a number " + key.range.text() + " but found " +
-                           value_text(node.text, value),
-                       0, node.text.size());
+      throw InputError(
+          "expected a number " + key.range.text() + " but found " + value_text(node.text, value), 0,
+          node.text.size());
     return value;
   });
 }

@@ -11,8 +11,7 @@ namespace {
 
 double quadrature_line(const Grid& grid, int axis, int index) {
   const Box& box = grid.box();
-  const double margin =
-      0x1p-40 * box.longest_side() + 0x1p-50 * box.interval(axis).magnitude();
+  const double margin = 0x1p-40 * box.longest_side() + 0x1p-50 * box.interval(axis).magnitude();
   const double line = grid.line(axis, index);
   return index == 0 ? line - margin : index == grid.cells(axis) ? line + margin : line;
 }

@@ -18,9 +18,10 @@ namespace rfm {
 /// other, where the face itself belongs to the region (sign(0) = +).
 enum class CellState : signed char { outside, inside, cut };
 
-/// The cells of a grid sorted by bounds of the primitives: an octree over the grid is descended with
-/// plain interval arithmetic, and children inherit the primitives that still matter; single cells
-/// left over get the tighter bounds of `LevelFunction::bounds`. Any numbers of cells per axis.
+/// The cells of a grid sorted by bounds of the primitives: an octree over the grid is descended
+/// with plain interval arithmetic, and children inherit the primitives that still matter; single
+/// cells left over get the tighter bounds of `LevelFunction::bounds`. Any numbers of cells per
+/// axis.
 struct CellClassification {
   /// Per cell of the grid, in its numbering.
   std::vector<CellState> states;

@@ -22,10 +22,10 @@ class CellSurfaces {
 
   using BoxVisitor = std::function<void(const Box&, const ActiveSet&)>;
 
-  /// Calls `visit` for the parts of a cell between `breakpoints`, each with the surfaces that matter
-  /// there. `cut_cell` counts the cut cells of `classification`; `box` is the cell. A cell with more
-  /// primitives than a truth table holds is bisected until there are few enough; what remains
-  /// crowded after that is taken to be as its centre is, and returned as uncertified.
+  /// Calls `visit` for the parts of a cell between `breakpoints`, each with the surfaces that
+  /// matter there. `cut_cell` counts the cut cells of `classification`; `box` is the cell. A cell
+  /// with more primitives than a truth table holds is bisected until there are few enough; what
+  /// remains crowded after that is taken to be as its centre is, and returned as uncertified.
   Uncertified visit_cut_cell(const CellClassification& classification, int cut_cell, const Box& box,
                              const Breakpoints& breakpoints, const BoxVisitor& visit) const;
   /// The same for a cell inside.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-
 namespace rfm {
 namespace {
 
@@ -14,6 +13,7 @@ class RuleBuilder : public PartVisitor {
   void full(const Box& box, const Frame* frame) override;
   void reduced(const ActiveSet& active, const LineSegment& line) override;
   void reduced(const Reduction2D& reduction) override;
+  void reduced(Reduction3D& reduction) override;
 
  private:
   void add_volume(const Point& point, double weight);
@@ -21,7 +21,9 @@ class RuleBuilder : public PartVisitor {
                    const Point& point, int height, double weight);
   void add_line(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line,
                 double weight);
-  void add_wall(const Reduction2D& reduction, const Reduction2D::Wall& wall);
+  void add_plane(const Reduction2D& reduction, double weight);
+  void add_wall(const Reduction2D& reduction, const Wall& wall, double weight);
+  void add_wall(Reduction3D& reduction, const Wall& wall);
 
   const Box& cell_;
   int dimension_;
@@ -85,6 +87,10 @@ void RuleBuilder::reduced(const ActiveSet& active, const LineSegment& line) {
 
 void RuleBuilder::reduced(const Reduction2D& reduction) {
   frame_ = reduction.frame();
+  add_plane(reduction, 1);
+}
+
+void RuleBuilder::add_plane(const Reduction2D& reduction, double weight) {
   const auto& breakpoints = reduction.breakpoints();
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
     const double from = breakpoints[i].position;
@@ -92,22 +98,59 @@ void RuleBuilder::reduced(const Reduction2D& reduction) {
     if (width <= reduction.negligible_width()) continue;
     for (int k = 0; k < gauss_.size(); ++k)
       add_line(reduction.active(), reduction.vertical(),
-               reduction.line(from + width * gauss_.nodes[k]), width * gauss_.weights[k]);
+               reduction.line(from + width * gauss_.nodes[k]), weight * width * gauss_.weights[k]);
+  }
+  for (const auto& wall : reduction.walls()) add_wall(reduction, wall, weight);
+}
+
+void RuleBuilder::add_wall(const Reduction2D& reduction, const Wall& wall, double weight) {
+  const ActiveSet& active = reduction.active();
+  const LineSegment line = reduction.line(wall.position);
+  const LineRoots roots = find_line_roots(active, reduction.vertical(), line);
+  walk_wall(active, roots, reduction.vertical(), line, wall.left, wall.right,
+            [&](const WallPart& part) {
+              for (int i = 0; i < gauss_.size(); ++i)
+                add_surface(active, part.surface, part.inside_is_positive,
+                            line.at(part.from.position + part.length() * gauss_.nodes[i]),
+                            reduction.base(), weight * part.length() * gauss_.weights[i]);
+            });
+}
+
+void RuleBuilder::reduced(Reduction3D& reduction) {
+  frame_ = nullptr;
+  const auto& breakpoints = reduction.breakpoints();
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    const double from = breakpoints[i], width = breakpoints[i + 1] - from;
+    if (width <= reduction.negligible_width()) continue;
+    for (int k = 0; k < gauss_.size(); ++k)
+      add_plane(reduction.section(from + width * gauss_.nodes[k]), width * gauss_.weights[k]);
   }
   for (const auto& wall : reduction.walls()) add_wall(reduction, wall);
 }
 
-void RuleBuilder::add_wall(const Reduction2D& reduction, const Reduction2D::Wall& wall) {
+// A surface across the outer axis: the section there is a piece of the boundary where the states on
+// both sides differ.
+void RuleBuilder::add_wall(Reduction3D& reduction, const Wall& wall) {
   const ActiveSet& active = reduction.active();
-  const LineSegment line = reduction.line(wall.position);
-  const LineRoots roots = find_line_roots(active, reduction.vertical(), line);
-  walk_wall(active, roots, reduction.vertical(), line, wall.left, wall.right, [&](const WallPart& part) {
-    const double length = part.to - part.from;
-    for (int i = 0; i < gauss_.size(); ++i)
-      add_surface(active, part.surface, part.inside_is_positive,
-                  line.at(part.from + length * gauss_.nodes[i]), reduction.base(),
-                  length * gauss_.weights[i]);
-  });
+  const Reduction2D& section = reduction.section(wall.position);
+  const auto& breakpoints = section.breakpoints();
+  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+    const double from = breakpoints[i].position;
+    const double width = breakpoints[i + 1].position - from;
+    if (width <= section.negligible_width()) continue;
+    for (int k = 0; k < gauss_.size(); ++k) {
+      const LineSegment line = section.line(from + width * gauss_.nodes[k]);
+      const LineRoots roots = find_line_roots(active, section.vertical(), line);
+      walk_wall(active, roots, reduction.outer_only(), line, wall.left, wall.right,
+                [&](const WallPart& part) {
+                  for (int j = 0; j < gauss_.size(); ++j)
+                    add_surface(active, part.surface, part.inside_is_positive,
+                                line.at(part.from.position + part.length() * gauss_.nodes[j]),
+                                reduction.outer(),
+                                width * gauss_.weights[k] * part.length() * gauss_.weights[j]);
+                });
+    }
+  }
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ void add_tensor_rule(const Box& box, const GaussRule& gauss, Add&& add) {
 }
 
 /// Appends to `rule` the rules for ∫ over box ∩ region, over the boundary of the region in the box,
-/// and over the interfaces inside, with `points` Gauss points per one-dimensional piece: by iterated
-/// Gauss rules on the parts of a `Subdivision`. Weights are positive. Errors are O(h^(2·points)) for
-/// cells of size h, also with corners in cells, wherever primitives are smooth; a boundary point
-/// carries its outward unit normal and primitive. Along a curve of slope h′ over the base axis the
-/// weight is √(1 + |∇h|²) times the base weight, written |∇w| / |∂w/∂height|.
+/// and over the interfaces inside, with `points` Gauss points per one-dimensional piece: by
+/// iterated Gauss rules on the parts of a `Subdivision`. Weights are positive. Errors are
+/// O(h^(2·points)) for cells of size h, also with corners in cells, wherever primitives are smooth;
+/// a boundary point carries its outward unit normal and primitive. Along a curve of slope h′ over
+/// the base axis the weight is √(1 + |∇h|²) times the base weight, written |∇w| / |∂w/∂height|.
 void add_cell_rule(const Box& box, const ActiveSet& active, int points, Subdivision& subdivision,
                    CellRule& rule);
 

@@ -7,8 +7,8 @@
 namespace rfm {
 
 struct QuadratureOptions {
-  /// Gauss points per axis in cells inside: p + 1 for splines of degree p, exact for products of two
-  /// of them.
+  /// Gauss points per axis in cells inside: p + 1 for splines of degree p, exact for products of
+  /// two of them.
   int inside_points = 4;
   /// Gauss points per one-dimensional piece in cut cells and on boundaries: p + 3.
   int cut_points = 6;
@@ -95,11 +95,12 @@ class DomainRule {
   QuadratureReport report_;
 };
 
-/// The rule for `region`, which must lie within the box of `grid`. `interfaces` are curves (surfaces)
-/// across which integrands jump: every volume point of a cut cell lies clearly on one side, and
-/// pieces of the boundary are split there too. Parallel over cut cells. The error is
+/// The rule for `region`, which must lie within the box of `grid`. `interfaces` are curves
+/// (surfaces) across which integrands jump: every volume point of a cut cell lies clearly on one
+/// side, and pieces of the boundary are split there too. Parallel over cut cells. The error is
 /// O(h^(2·cut_points)) in cut cells where primitives are smooth (see `add_cell_rule`). Throws
-/// `InvalidArgument` when region and grid differ in dimension or a number of points is out of range.
+/// `InvalidArgument` when region and grid differ in dimension or a number of points is out of
+/// range.
 DomainRule make_domain_rule(const RegionEvaluator& region, const Grid& grid,
                             const QuadratureOptions& options = {},
                             std::span<const LevelFunction> interfaces = {});

@@ -16,10 +16,11 @@ double middle_magnitude(const Interval& interval) {
 
 }  // namespace
 
-HeightDirection choose_height(const Box& box, std::span<const FunctionBounds> surfaces,
+HeightDirections find_heights(const Box& box, std::span<const FunctionBounds> surfaces,
                               double flatness) {
-  HeightDirection choice;
-  double best = -1, nearest = -1;
+  HeightDirections choice;
+  double nearest = -1;
+  std::array<double, 3> scores{};
   for (int axis = 0; axis < box.dimension; ++axis) {
     bool serves = true;
     double score = 1, guess = 1;
@@ -39,9 +40,14 @@ HeightDirection choose_height(const Box& box, std::span<const FunctionBounds> su
       score = std::min(score, along.mignitude() * box.length(axis) / total);
       guess = std::min(guess, middle_magnitude(along) * box.length(axis) / total);
     }
-    if (serves && score > best) {
-      best = score;
-      choice.proven = axis;
+    if (serves) {
+      int place = choice.proven_count++;
+      for (; place > 0 && scores[place - 1] < score; --place) {
+        scores[place] = scores[place - 1];
+        choice.proven[place] = choice.proven[place - 1];
+      }
+      scores[place] = score;
+      choice.proven[place] = axis;
     }
     if (guess > nearest) {
       nearest = guess;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "quadrature/active_set.hpp"
 
 namespace rfm {
@@ -103,9 +101,10 @@ void walk_line(const ActiveSet& active, const LineRoots& roots, const LineSegmen
 
 /// A part of a line in a surface that is parallel to the line, on which the region begins or ends.
 struct WallPart {
-  double from = 0;
-  double to = 0;
+  LineEnd from;
+  LineEnd to;
   int surface = 0;
+  double length() const { return to.position - from.position; }
   bool inside_is_positive = true;
 };
 
@@ -116,8 +115,8 @@ template <class OnPart>
 void walk_wall(const ActiveSet& active, const LineRoots& roots, SurfaceSigns parallel,
                const LineSegment& line, SurfaceSigns left, SurfaceSigns right, OnPart&& on_part) {
   SurfaceSigns signs = roots.start & ~parallel;
-  const auto part = [&](double from, double to) {
-    if (!(to > from)) return;
+  const auto part = [&](const LineEnd& from, const LineEnd& to) {
+    if (!(to.position > from.position)) return;
     SurfaceSigns current = signs | left;
     const bool inside_left = active.inside(current), inside_right = active.inside(signs | right);
     for (int surface = 0; surface < active.count; ++surface) {
@@ -130,13 +129,14 @@ void walk_wall(const ActiveSet& active, const LineRoots& roots, SurfaceSigns par
         return on_part(WallPart{from, to, surface, true});
     }
   };
-  double from = line.low;
+  LineEnd from{line.low, LineEnd::segment_end};
   for (int i = 0; i < roots.count; ++i) {
-    part(from, roots.positions[i]);
+    const LineEnd to{roots.positions[i], roots.surfaces[i]};
+    part(from, to);
     signs ^= 1u << roots.surfaces[i];
-    from = std::max(from, roots.positions[i]);
+    from = to;
   }
-  part(from, line.high);
+  part(from, {line.high, LineEnd::segment_end});
 }
 
 }  // namespace rfm

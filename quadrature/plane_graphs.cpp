@@ -79,8 +79,8 @@ bool isolate_level(const Plane& plane, const PlaneGraph& graph, double level,
   const double zero = 1e-14 * (gradient[plane.base].magnitude() * plane.base_length() +
                                gradient[plane.height].magnitude() * plane.height_length());
   IsolationBudget budget;
-  isolate_roots(value, slopes, low, high, zero, [&](double root) { found.push_back(root); },
-                budget);
+  isolate_roots(
+      value, slopes, low, high, zero, [&](double root) { found.push_back(root); }, budget);
   return !budget.exhausted;
 }
 
@@ -108,8 +108,9 @@ bool isolate_crossings(const Plane& plane, const PlaneGraph& first, const PlaneG
     return local_slope(plane, first, low, high) - local_slope(plane, second, low, high);
   };
   IsolationBudget budget;
-  isolate_roots(difference, slopes, from, to, 1e-13 * plane.height_length(),
-                [&](double root) { found.push_back(root); }, budget);
+  isolate_roots(
+      difference, slopes, from, to, 1e-13 * plane.height_length(),
+      [&](double root) { found.push_back(root); }, budget);
   return !budget.exhausted;
 }
 

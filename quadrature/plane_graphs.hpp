@@ -24,16 +24,14 @@ struct PlaneGraph {
   const FunctionBounds* bounds = nullptr;
   double third = 0;
 
-  bool is_vertical(const Plane& plane) const {
-    return bounds->gradient[plane.height].is_zero();
-  }
+  bool is_vertical(const Plane& plane) const { return bounds->gradient[plane.height].is_zero(); }
 };
 
 /// The segment of the height direction over a place of the base axis.
 LineSegment height_line(const Plane& plane, const PlaneGraph& graph, double place);
 
-/// Whether two graphs have different heights everywhere, by the mean value form of the difference of
-/// heights, in which parallel slopes cancel.
+/// Whether two graphs have different heights everywhere, by the mean value form of the difference
+/// of heights, in which parallel slopes cancel.
 bool proven_apart(const Plane& plane, const PlaneGraph& first, const PlaneGraph& second);
 
 /// Base coordinates where the graph has the height `level`, appended to `found`. False if not all

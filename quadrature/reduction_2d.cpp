@@ -28,7 +28,9 @@ void Reduction2D::build(const Plane& plane, const ActiveSet& active,
       if (meeting == Meeting::unknown && proven_apart(plane_, graph(i), graph(j))) continue;
       add_crossings(i, j, meeting == Meeting::at_most_once);
     }
-  find_walls();
+  find_walls(
+      standing_, plane.box.low[base()], plane.box.high[base()],
+      [&](double place) { return vertical_signs(place); }, walls_);
 }
 
 void Reduction2D::add_found(int cause) {
@@ -92,26 +94,6 @@ SurfaceSigns Reduction2D::vertical_signs(double place) const {
   for (int i = 0; i < active_->count; ++i)
     if (is_vertical(i) && active_->surfaces[i]->value(point) >= 0) signs |= 1u << i;
   return signs;
-}
-
-void Reduction2D::find_walls() {
-  if (standing_.empty()) return;
-  std::ranges::sort(standing_);
-  const double low = plane_.box.low[base()], high = plane_.box.high[base()];
-  const double same = 1e-13 * (high - low);
-  for (std::size_t i = 0; i < standing_.size(); ++i) {
-    const double place = standing_[i];
-    if (i > 0 && place - standing_[i - 1] <= same) continue;
-    double before = low, after = high;
-    for (const double other : standing_) {
-      if (other < place - same) before = std::max(before, other);
-      if (other > place + same) after = std::min(after, other);
-    }
-    // A wall on a side of the box: the state beyond is the sign on the side itself.
-    const Wall wall{place, vertical_signs(place - low > same ? 0.5 * (before + place) : low),
-                    vertical_signs(high - place > same ? 0.5 * (place + after) : high)};
-    if (wall.left != wall.right) walls_.push_back(wall);
-  }
 }
 
 }  // namespace rfm

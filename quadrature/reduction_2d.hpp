@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "quadrature/plane_graphs.hpp"
+#include "quadrature/walls.hpp"
 
 namespace rfm {
 
@@ -43,12 +44,6 @@ class Reduction2D {
     double position = 0;
     int cause = side_of_box;
   };
-  /// A vertical surface at `position`: the signs of the vertical surfaces on both sides of it.
-  struct Wall {
-    double position = 0;
-    SurfaceSigns left = 0;
-    SurfaceSigns right = 0;
-  };
 
   /// `bounds[i]` encloses surface i over the rectangle. Memory of earlier ones is reused.
   void build(const Plane& plane, const ActiveSet& active, std::span<const FunctionBounds> bounds,
@@ -64,6 +59,7 @@ class Reduction2D {
   SurfaceSigns vertical() const { return vertical_; }
   /// Ascending, the sides of the box included.
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
+  /// Where vertical surfaces stand.
   const std::vector<Wall>& walls() const { return walls_; }
   /// False if a root was not isolated: the rule is then a best effort.
   bool certified() const { return certified_; }
@@ -81,7 +77,6 @@ class Reduction2D {
   void add_ends(int surface, const PlaneProofs& proofs);
   void add_crossings(int first, int second, bool at_most_once);
   void add_found(int cause);
-  void find_walls();
   SurfaceSigns vertical_signs(double place) const;
 
   Plane plane_;

@@ -58,7 +58,10 @@ class RootIsolation {
  public:
   RootIsolation(Function& function, SlopeBounds& slope_bounds, Report& report, double zero,
                 IsolationBudget& budget)
-      : function_(function), slope_bounds_(slope_bounds), report_(report), zero_(zero),
+      : function_(function),
+        slope_bounds_(slope_bounds),
+        report_(report),
+        zero_(zero),
         budget_(budget) {}
 
   void run(double low, double high) {

@@ -35,8 +35,8 @@ std::optional<Point> best_direction(const std::array<Point, ActiveSet::capacity>
     const Point candidate{std::cos(angle), std::sin(angle), 0};
     double worst = side_weight * std::min(std::fabs(candidate[0]), std::fabs(candidate[1]));
     for (int k = 0; k < count; ++k)
-      worst = std::min(worst, std::fabs(candidate[0] * gradients[k][0] +
-                                        candidate[1] * gradients[k][1]));
+      worst = std::min(worst,
+                       std::fabs(candidate[0] * gradients[k][0] + candidate[1] * gradients[k][1]));
     if (worst > best) {
       best = worst;
       direction = candidate;

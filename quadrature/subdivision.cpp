@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "quadrature/height_direction.hpp"
 #include "quadrature/rotated_frame.hpp"
 
 namespace rfm {
@@ -45,7 +44,7 @@ Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisito
 
 double Subdivision::flatness(int dimension, int depth) const {
   const int relaxed = std::max(0, depth - 3 * (dimension - 1));
-  return options_.flatness * std::pow(options_.flatness_decay, relaxed);
+  return options_.flatness[dimension - 1] * std::pow(options_.flatness_decay, relaxed);
 }
 
 void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
@@ -54,17 +53,33 @@ void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
   if (active.region_count() == 0 && !active.table.value(0)) return;
   if (active.count == 0) return visitor_->full(box, frame_);
   const std::span known(bounds.data(), static_cast<std::size_t>(active.count));
-  const HeightDirection height = choose_height(box, known, flatness(box.dimension, depth));
-  if (height.proven != HeightDirection::none)
-    return reduce(box, active, known, height.proven, true);
-  if (depth >= max_depth_ || bisections_ >= options_.max_bisections)
-    return reduce(box, active, known, height.likely, false);
+  const HeightDirections heights = find_heights(box, known, flatness(box.dimension, depth));
+  const bool give_up = depth >= max_depth_ || bisections_ >= options_.max_bisections;
+  if (box.dimension == 3 && (heights.proven_count > 0 || give_up)) {
+    if (reduce_space(box, active, known, heights, depth)) return;
+  } else if (heights.proven_count > 0 || give_up) {
+    const bool proven = heights.proven_count > 0;
+    const int height = proven ? heights.proven[0] : heights.likely;
+    if (box.dimension == 1)
+      visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
+    else
+      plane_.build({box, 1 - height, height}, active, known, PlaneProofs(), frame_);
+    if (box.dimension == 2) visitor_->reduced(plane_);
+    if (!proven || (box.dimension == 2 && !plane_.certified())) add_uncertified(box);
+    return;
+  }
   const bool smooth =
       std::all_of(known.begin(), known.end(), [](const FunctionBounds& b) { return b.smooth; });
   if (box.dimension == 2 && depth >= options_.rotation_depth && smooth &&
       rotated(box, active, depth))
     return;
-  bisected(box, active, depth, box.longest_axis());
+  int axis = box.longest_axis();
+  if (box.dimension == 3 && heights.proven_count == 1) {
+    // Across the only height the curves of the base plane would stay as they are.
+    const int first = (heights.proven[0] + 1) % 3, second = (heights.proven[0] + 2) % 3;
+    axis = box.length(first) >= box.length(second) ? first : second;
+  }
+  bisected(box, active, depth, axis);
 }
 
 void Subdivision::bisected(const Box& box, const ActiveSet& active, int depth, int axis) {
@@ -87,17 +102,37 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   return true;
 }
 
-void Subdivision::reduce(const Box& box, const ActiveSet& active,
-                         std::span<const FunctionBounds> bounds, int height, bool proven) {
-  bool certified = proven;
-  if (box.dimension == 1) {
-    visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
-  } else {
-    plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
-    visitor_->reduced(plane_);
-    certified &= plane_.certified();
+// Tries the heights in turn; false if the box has to be bisected.
+bool Subdivision::reduce_space(const Box& box, const ActiveSet& active,
+                               std::span<const FunctionBounds> bounds,
+                               const HeightDirections& heights, int depth) {
+  Reduction3D::Options options;
+  options.flatness = flatness(box.dimension, depth);
+  options.allow_contacts = depth >= options_.contact_depth;
+  for (int i = 0; i < heights.proven_count; ++i) {
+    const Reduction3D::Outcome outcome =
+        space_.build(box, active, bounds, heights.proven[i], options);
+    if (outcome == Reduction3D::Outcome::constant_surface) {
+      ActiveSet fewer = active;
+      fewer.fix(space_.constant_surface(), space_.constant_sign());
+      visit(box, fewer, depth);
+      return true;
+    }
+    if (outcome == Reduction3D::Outcome::not_reduced) continue;
+    visitor_->reduced(space_);
+    if (!space_.certified()) add_uncertified(box);
+    return true;
   }
-  if (certified) return;
+  if (depth < max_depth_ && bisections_ < options_.max_bisections) return false;
+  options.best_effort = true;
+  space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
+               options);
+  visitor_->reduced(space_);
+  add_uncertified(box);
+  return true;
+}
+
+void Subdivision::add_uncertified(const Box& box) {
   ++uncertified_.boxes;
   uncertified_.measure += box.measure();
 }

@@ -1,15 +1,17 @@
 #pragma once
 
-#include "quadrature/reduction_2d.hpp"
+#include "quadrature/height_direction.hpp"
+#include "quadrature/reduction_3d.hpp"
 
 namespace rfm {
 
 struct SubdivisionOptions {
-  /// Graphs may be as steep as 1 / flatness. Steeper ones are admissible too but their roots vary
-  /// too fast for the Gauss rule: on coarse cells of a body with small holes the worst error over
-  /// many positions of the grid falls by 1000 from 0.2 to 0.4 for 15 % more points (ten points a
-  /// piece), and with 0 a coarse ellipse stalls at errors of 1e-5.
-  double flatness = 0.4;
+  /// Graphs may be as steep as 1 / flatness, by dimension. Steeper ones are admissible too but
+  /// their roots vary too fast for the Gauss rule: with 0 a coarse ellipse stalls at errors of
+  /// 1e-5. On coarse cells of a plane body with small holes the worst error over many positions of
+  /// the grid falls by 1000 from 0.2 to 0.4 for 15 % more points; in space a coarse torus gains a
+  /// factor of 15 from 0.2 to 0.3, and nothing beyond.
+  std::array<double, 3> flatness = {0, 0.4, 0.3};
   /// After 3 (d − 1) bisections the flatness shrinks by this factor with each more, or boxes near
   /// tangential corners would never be accepted.
   double flatness_decay = 0.8;
@@ -20,6 +22,9 @@ struct SubdivisionOptions {
   /// From this depth on a rotated frame is tried in 2D: it resolves corners where one curve is
   /// horizontal and another vertical.
   int rotation_depth = 8;
+  /// From this depth on in 3D, crossing curves along which surfaces may only touch are isolated in
+  /// every section of the box: bisection would follow such a curve to the bottom.
+  int contact_depth = 8;
 };
 
 /// Where a cell could not be resolved within its budget: rules and pictures there are a best
@@ -45,6 +50,8 @@ class PartVisitor {
   /// An interval on whose points surfaces are monotone.
   virtual void reduced(const ActiveSet& active, const LineSegment& line) = 0;
   virtual void reduced(const Reduction2D& reduction) = 0;
+  /// Not const: sections share the memory of the reduction.
+  virtual void reduced(Reduction3D& reduction) = 0;
 };
 
 /// Takes boxes apart: bounds fix the signs of surfaces, and a box with a height direction is
@@ -60,8 +67,9 @@ class Subdivision {
   void visit(const Box& box, ActiveSet active, int depth);
   void bisected(const Box& box, const ActiveSet& active, int depth, int axis);
   bool rotated(const Box& box, const ActiveSet& active, int depth);
-  void reduce(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
-              int height, bool proven);
+  bool reduce_space(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
+                    const HeightDirections& heights, int depth);
+  void add_uncertified(const Box& box);
   double flatness(int dimension, int depth) const;
 
   SubdivisionOptions options_;
@@ -71,6 +79,7 @@ class Subdivision {
   int bisections_ = 0;
   Uncertified uncertified_;
   Reduction2D plane_;
+  Reduction3D space_;
 };
 
 }  // namespace rfm

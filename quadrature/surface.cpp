@@ -25,10 +25,10 @@ Box Frame::hull(const Box& local) const {
   world.dimension = 2;
   for (int i = 0; i < 2; ++i) {
     // The margin covers the rounding of the image.
-    const double radius = 0.5 * (1 + 1e-12) *
-                              (std::fabs(axes[0][i]) * local.length(0) +
-                               std::fabs(axes[1][i]) * local.length(1)) +
-                          1e-15 * std::fabs(center[i]);
+    const double radius =
+        0.5 * (1 + 1e-12) *
+            (std::fabs(axes[0][i]) * local.length(0) + std::fabs(axes[1][i]) * local.length(1)) +
+        1e-15 * std::fabs(center[i]);
     world.low[i] = center[i] - radius;
     world.high[i] = center[i] + radius;
   }

@@ -61,9 +61,8 @@ Tessellation tessellate(const RegionEvaluator& region, const Grid& grid,
         part.uncertified += subdivision.run(box, active, tessellator);
       };
       if (cut_number[cell] >= 0)
-        part.uncertified +=
-            surfaces.visit_cut_cell(classification, cut_number[cell],
-                                    quadrature_cell(grid, position), breakpoints, visit);
+        part.uncertified += surfaces.visit_cut_cell(
+            classification, cut_number[cell], quadrature_cell(grid, position), breakpoints, visit);
       else if (classification.states[cell] == CellState::inside)
         surfaces.visit_inside_cell(grid.cell(position), breakpoints, visit);
       part.grid_cells.resize(part.elements.size(), cell);

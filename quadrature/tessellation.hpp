@@ -10,9 +10,7 @@ enum class ElementShape : unsigned char {
   triangle = 5,
   quadrilateral = 9,
   tetrahedron = 10,
-  hexahedron = 12,
-  wedge = 13,
-  pyramid = 14
+  hexahedron = 12
 };
 
 /// Elements of mixed shapes: element e has the vertices connectivity[begin[e]] … .
@@ -33,14 +31,15 @@ struct ElementList {
 
 /// A region cut into elements, for pictures: elements do not overlap, corners of the region are
 /// vertices, and every vertex of the boundary lies on its primitive up to rounding. Curved pieces
-/// are followed by straight sides, so that areas converge with order 2 and polygons are exact.
+/// are followed by straight sides, so that areas and volumes converge with order 2 and those of
+/// polygons and polyhedra are exact.
 struct Tessellation {
   std::vector<Point> vertices;
   ElementList elements;
   /// The cell of the grid in which each element lies.
   std::vector<int> grid_cells;
-  /// The boundary: segments with the inside on their left, surface elements seen from outside
-  /// counter-clockwise; in 1D none.
+  /// The boundary: in 2D segments with the inside on their left, in 3D triangles that are
+  /// counter-clockwise seen from outside, in 1D none.
   ElementList boundary;
   /// The primitive of each boundary element.
   std::vector<int> primitives;

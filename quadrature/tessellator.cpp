@@ -4,10 +4,6 @@
 #include <cmath>
 
 namespace rfm {
-namespace {
-
-// Ends of a strip nearer than this part of the line are one vertex.
-constexpr double same_vertex = 1e-12;
 
 double position_on(const ActiveSet& active, const LineEnd& end, const LineSegment& line,
                    bool is_low) {
@@ -18,8 +14,6 @@ double position_on(const ActiveSet& active, const LineEnd& end, const LineSegmen
 double interpolated(double from, double to, int i, int count) {
   return i == count ? to : from + (to - from) * i / count;
 }
-
-}  // namespace
 
 int Tessellator::add_vertex(const Point& local) {
   Point vertex = frame_ ? frame_->to_world(local) : local;
@@ -55,6 +49,18 @@ void Tessellator::add_boundary(const ActiveSet& active, int surface, int first, 
 void Tessellator::full(const Box& box, const Frame* frame) {
   frame_ = frame;
   if (box.dimension == 1) return reduced(ActiveSet{}, {{}, 0, box.low[0], box.high[0]});
+  if (box.dimension == 3) {
+    Lattice lattice;
+    for (int axis = 0; axis < 3; ++axis) lattice.cells[axis] = steps(box.length(axis), axis);
+    const auto place = [&](int axis, int i) {
+      return interpolated(box.low[axis], box.high[axis], i, lattice.cells[axis]);
+    };
+    for (int i = 0; i <= lattice.cells[0]; ++i)
+      for (int j = 0; j <= lattice.cells[1]; ++j)
+        for (int k = 0; k <= lattice.cells[2]; ++k)
+          lattice.vertices.push_back(add_vertex({place(0, i), place(1, j), place(2, k)}));
+    return add_lattice(lattice, true);
+  }
   const int across = steps(box.length(0), 0), up = steps(box.length(1), 1);
   std::vector<int> below, above;
   for (int j = 0; j <= up; ++j, below.swap(above)) {
@@ -135,8 +141,8 @@ void Tessellator::add_strip(const Reduction2D& reduction, const Strip& strip, do
   }
 }
 
-// The boundary along a strip. It is followed even where the strip itself has no height, as at a face
-// on the side of the box.
+// The boundary along a strip. It is followed even where the strip itself has no height, as at a
+// face on the side of the box.
 void Tessellator::add_side(const Reduction2D& reduction, const LineCrossing& side, double from,
                            double to) {
   const ActiveSet& active = reduction.active();
@@ -154,25 +160,25 @@ void Tessellator::add_side(const Reduction2D& reduction, const LineCrossing& sid
   }
 }
 
-void Tessellator::add_wall(const Reduction2D& reduction, const Reduction2D::Wall& wall) {
+void Tessellator::add_wall(const Reduction2D& reduction, const Wall& wall) {
   const ActiveSet& active = reduction.active();
   const LineSegment line = reduction.line(wall.position);
   const LineRoots roots = find_line_roots(active, reduction.vertical(), line);
-  walk_wall(active, roots, reduction.vertical(), line, wall.left, wall.right,
-            [&](const WallPart& part) {
-              const int count = steps(part.to - part.from, reduction.height());
-              // Upwards the lower base coordinates are on the left, if the base axis is the first.
-              const bool positive_right = wall.right >> part.surface & 1;
-              const bool inside_left = part.inside_is_positive != positive_right;
-              const bool upwards = inside_left == (reduction.base() == 0);
-              int previous = add_vertex(line.at(part.from));
-              for (int i = 1; i <= count; ++i) {
-                const int next = add_vertex(line.at(interpolated(part.from, part.to, i, count)));
-                add_boundary(active, part.surface, upwards ? previous : next,
-                             upwards ? next : previous);
-                previous = next;
-              }
-            });
+  walk_wall(
+      active, roots, reduction.vertical(), line, wall.left, wall.right, [&](const WallPart& part) {
+        const int count = steps(part.length(), reduction.height());
+        // Upwards the lower base coordinates are on the left, if the base axis is the first.
+        const bool positive_right = wall.right >> part.surface & 1;
+        const bool inside_left = part.inside_is_positive != positive_right;
+        const bool upwards = inside_left == (reduction.base() == 0);
+        int previous = add_vertex(line.at(part.from.position));
+        for (int i = 1; i <= count; ++i) {
+          const int next =
+              add_vertex(line.at(interpolated(part.from.position, part.to.position, i, count)));
+          add_boundary(active, part.surface, upwards ? previous : next, upwards ? next : previous);
+          previous = next;
+        }
+      });
 }
 
 }  // namespace rfm

@@ -12,9 +12,9 @@ namespace {
 using Words = std::array<std::uint64_t, (1 << TruthTable::max_variables) / 64>;
 
 // Bit a of word(v) is bit v of the assignment a: the table of variable v, v < 6.
-constexpr std::array<std::uint64_t, 6> variable_patterns = {
-    0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc, 0xf0f0f0f0f0f0f0f0,
-    0xff00ff00ff00ff00, 0xffff0000ffff0000, 0xffffffff00000000};
+constexpr std::array<std::uint64_t, 6> variable_patterns = {0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc,
+                                                            0xf0f0f0f0f0f0f0f0, 0xff00ff00ff00ff00,
+                                                            0xffff0000ffff0000, 0xffffffff00000000};
 
 std::uint64_t variable_word(int variable, std::size_t word) {
   if (variable < 6) return variable_patterns[variable];
@@ -39,14 +39,18 @@ TruthTable::TruthTable(const BooleanExpression& expression, std::span<const int>
     using Kind = BooleanExpression::Kind;
     const auto place = std::find(variables.begin(), variables.end(), node.first);
     for (std::size_t word = 0; word < count; ++word) switch (node.kind) {
-        case Kind::constant: result[word] = node.first ? ~std::uint64_t{0} : 0; break;
+        case Kind::constant:
+          result[word] = node.first ? ~std::uint64_t{0} : 0;
+          break;
         case Kind::variable:
           result[word] = place != variables.end()
                              ? variable_word(static_cast<int>(place - variables.begin()), word)
                          : signs[node.first] == Truth::yes ? ~std::uint64_t{0}
                                                            : 0;
           break;
-        case Kind::negation: result[word] = ~values[node.first][word]; break;
+        case Kind::negation:
+          result[word] = ~values[node.first][word];
+          break;
         case Kind::conjunction:
           result[word] = values[node.first][word] & values[node.second][word];
           break;
@@ -90,8 +94,7 @@ void TruthTable::fix(int variable, bool value) {
   rest.variables_ = variables_ - 1;
   const unsigned below = (1u << variable) - 1, chosen = value ? 1u << variable : 0;
   for (unsigned assignment = 0; assignment < 1u << rest.variables_; ++assignment)
-    rest.set(assignment,
-             this->value((assignment & below) | (assignment & ~below) << 1 | chosen));
+    rest.set(assignment, this->value((assignment & below) | (assignment & ~below) << 1 | chosen));
   *this = rest;
 }
 

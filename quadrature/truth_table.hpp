@@ -39,10 +39,13 @@ class TruthTable {
   TruthTable(int variables, std::span<const std::uint64_t> words);
 
  private:
-  std::size_t word_count() const { return variables_ <= 6 ? 1 : std::size_t{1} << (variables_ - 6); }
+  std::size_t word_count() const {
+    return variables_ <= 6 ? 1 : std::size_t{1} << (variables_ - 6);
+  }
   void set(unsigned assignment, bool value) {
     const std::uint64_t bit = std::uint64_t{1} << (assignment & 63);
-    words_[assignment >> 6] = value ? words_[assignment >> 6] | bit : words_[assignment >> 6] & ~bit;
+    words_[assignment >> 6] =
+        value ? words_[assignment >> 6] | bit : words_[assignment >> 6] & ~bit;
   }
 
   int variables_ = 0;

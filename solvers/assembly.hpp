@@ -6,16 +6,11 @@
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/field_arguments.hpp"
 #include "solvers/integrand.hpp"
 #include "solvers/linear_system.hpp"
 
 namespace rfm {
-
-/// Values of what the coefficients of a problem may depend on beside the coordinates.
-struct FieldArguments {
-  double time = 0;
-  std::vector<double> parameters{};
-};
 
 /// One flag per cell of the grid: whether the region meets it, for the spaces of a problem.
 std::vector<std::uint8_t> cells_in_region(const DomainRule& rule);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "basis/tensor_product_space.hpp"
-#include "solvers/compiled_integrand.hpp"
+#include "solvers/integrand_values.hpp"
 
 namespace rfm {
 

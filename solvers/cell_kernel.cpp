@@ -55,9 +55,31 @@ CellKernel::CellKernel(const CompiledIntegrand& integrand,
       pairings_.push_back(pairing);
       matrices_.emplace_back(std::size_t(padded_[k]) * padded_[l], 0.0);
     }
-  for (const auto& [unknown, derivative] : integrand.basis_derivatives())
-    if (std::find(loaded_.begin(), loaded_.end(), unknown) == loaded_.end())
-      loaded_.push_back(unknown);
+  add_loads();
+}
+
+// Derivatives of basis functions that carry a load: those of the slots that meet a load, or an
+// inhomogeneous part through the stiffness.
+void CellKernel::add_loads() {
+  std::vector<bool> loaded(integrand_.slot_count(), false);
+  for (const auto& entry : integrand_.load()) loaded[entry.slot] = true;
+  for (const auto& entry : integrand_.stiffness()) {
+    if (integrand_.inhomogeneous()[entry.column] >= 0) loaded[entry.row] = true;
+    if (integrand_.inhomogeneous()[entry.row] >= 0) loaded[entry.column] = true;
+  }
+  const auto add_unique = [](std::vector<int>& list, int number) {
+    const auto place = std::find(list.begin(), list.end(), number);
+    if (place != list.end()) return static_cast<int>(place - list.begin());
+    list.push_back(number);
+    return static_cast<int>(list.size()) - 1;
+  };
+  std::vector<int> derivatives;
+  for (const auto& entry : integrand_.map())
+    if (loaded[entry.slot]) add_unique(derivatives, entry.basis_derivative);
+  for (const int derivative : derivatives) {
+    const int unknown = integrand_.basis_derivatives()[derivative].unknown;
+    load_terms_.emplace_back(derivative, add_unique(loaded_, unknown));
+  }
   for (const int unknown : loaded_) loads_.emplace_back(padded_[unknown], 0.0);
 }
 
@@ -72,50 +94,31 @@ void CellKernel::compute(const IntegrandValues& values, int first, const BasisVa
       pairs_.push_back({left_[left].data.data(), right_[right].data.data()});
     outer_products(pairs_, points, padded_[k], padded_[l], k == l, matrices_[i].data());
   }
-  if (!values.has_load()) return;
   for (std::vector<double>& load : loads_) std::fill(load.begin(), load.end(), 0.0);
-  for (std::size_t m = 0; m < integrand_.basis_derivatives().size(); ++m) {
-    const int unknown = integrand_.basis_derivatives()[m].unknown, size = padded_[unknown];
-    const auto place = std::find(loaded_.begin(), loaded_.end(), unknown) - loaded_.begin();
-    double* load = loads_[place].data();
-    const double* weight = values.load(int(m)) + first;
-    const double* basis_value = basis.values(int(m));
-    for (int q = 0; q < points; ++q, basis_value += size)
-      for (int i = 0; i < size; ++i) load[i] += weight[q] * basis_value[i];
-  }
+  for (const auto& [derivative, place] : load_terms_)
+    add_weighted_sum({values.load(derivative) + first, basis.values(derivative)}, points,
+                     static_cast<int>(loads_[place].size()), loads_[place].data());
 }
 
 void CellKernel::compute_left(Left& left, const IntegrandValues& values, int first,
-                              const BasisValues& basis) const {
-  const int points = basis.points(), size = padded_[left.unknown];
-  left.data.resize(std::max(left.data.size(), std::size_t(points) * size));
-  for (std::size_t e = 0; e < left.entries.size(); ++e) {
-    const double* factor = values.map(left.entries[e]) + first;
-    const double* from = basis.values(integrand_.map()[left.entries[e]].basis_derivative);
-    double* to = left.data.data();
-    for (int q = 0; q < points; ++q, from += size, to += size)
-      if (e == 0)
-        for (int i = 0; i < size; ++i) to[i] = factor[q] * from[i];
-      else
-        for (int i = 0; i < size; ++i) to[i] += factor[q] * from[i];
-  }
+                              const BasisValues& basis) {
+  terms_.clear();
+  for (const int entry : left.entries)
+    terms_.push_back(
+        {values.map(entry) + first, basis.values(integrand_.map()[entry].basis_derivative)});
+  combine(left.data, basis.points(), padded_[left.unknown]);
 }
 
-void CellKernel::compute_right(Right& right, const IntegrandValues& values, int first,
-                               int points) const {
-  const int size = padded_[right.unknown];
-  right.data.resize(std::max(right.data.size(), std::size_t(points) * size));
-  for (std::size_t e = 0; e < right.terms.size(); ++e) {
-    const auto& [entry, left] = right.terms[e];
-    const double* factor = values.stiffness(entry) + first;
-    const double* from = left_[left].data.data();
-    double* to = right.data.data();
-    for (int q = 0; q < points; ++q, from += size, to += size)
-      if (e == 0)
-        for (int i = 0; i < size; ++i) to[i] = factor[q] * from[i];
-      else
-        for (int i = 0; i < size; ++i) to[i] += factor[q] * from[i];
-  }
+void CellKernel::compute_right(Right& right, const IntegrandValues& values, int first, int points) {
+  terms_.clear();
+  for (const auto& [entry, left] : right.terms)
+    terms_.push_back({values.stiffness(entry) + first, left_[left].data.data()});
+  combine(right.data, points, padded_[right.unknown]);
+}
+
+void CellKernel::combine(std::vector<double>& result, int points, int length) const {
+  result.resize(std::max(result.size(), static_cast<std::size_t>(points) * length));
+  linear_combinations(terms_, points, length, result.data());
 }
 
 }  // namespace rfm

@@ -52,9 +52,10 @@ class CellKernel {
     std::vector<std::pair<int, int>> terms;
     std::vector<double> data;
   };
-  void compute_left(Left& left, const IntegrandValues& values, int first,
-                    const BasisValues& basis) const;
-  void compute_right(Right& right, const IntegrandValues& values, int first, int points) const;
+  void add_loads();
+  void compute_left(Left& left, const IntegrandValues& values, int first, const BasisValues& basis);
+  void compute_right(Right& right, const IntegrandValues& values, int first, int points);
+  void combine(std::vector<double>& result, int points, int length) const;
 
   const CompiledIntegrand& integrand_;
   std::vector<int> padded_;
@@ -62,8 +63,10 @@ class CellKernel {
   std::vector<Right> right_;
   std::vector<Pairing> pairings_;
   std::vector<int> loaded_;
+  std::vector<std::pair<int, int>> load_terms_;  // basis derivative, place in `loaded_`
   std::vector<std::vector<double>> matrices_, loads_;
   std::vector<VectorPair> pairs_;
+  std::vector<WeightedVectors> terms_;
 };
 
 }  // namespace rfm

@@ -38,8 +38,8 @@ void CellPointIndex::add_inside(int cell, IntegrandPoints& points) const {
   }
   for (int k = 0; k < (dimension > 2 ? size : 1); ++k)
     for (int j = 0; j < (dimension > 1 ? size : 1); ++j) {
-      const double factor = measure * (dimension > 1 ? rule.weights[j] : 1) *
-                            (dimension > 2 ? rule.weights[k] : 1);
+      const double factor =
+          measure * (dimension > 1 ? rule.weights[j] : 1) * (dimension > 2 ? rule.weights[k] : 1);
       for (int i = 0; i < size; ++i) {
         points.coordinates[0].push_back(low[0] + rule.nodes[i] * grid.spacing(0));
         if (dimension > 1)
@@ -63,10 +63,11 @@ void CellPointIndex::add_cut(PointRange range, IntegrandPoints& points) const {
 
 void CellPointIndex::add_surface(Contribution::Place place, PointRange range,
                                  std::span<const int> numbers, IntegrandPoints& points) const {
-  const SurfacePoints& from = place == Contribution::Place::boundary ? rule_.boundary().points
-                                                                     : rule_.interfaces().points;
+  const SurfacePoints& from =
+      place == Contribution::Place::boundary ? rule_.boundary().points : rule_.interfaces().points;
   for (int i = range.begin; i < range.end; ++i) {
-    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), from.numbers[i]) == numbers.end())
+    if (!numbers.empty() &&
+        std::find(numbers.begin(), numbers.end(), from.numbers[i]) == numbers.end())
       continue;
     for (int axis = 0; axis < 3; ++axis) {
       if (axis < rule_.dimension()) points.coordinates[axis].push_back(from.coordinates[axis][i]);

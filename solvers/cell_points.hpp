@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "quadrature/domain_rule.hpp"
-#include "solvers/compiled_integrand.hpp"
+#include "solvers/integrand_values.hpp"
 
 namespace rfm {
 
@@ -17,9 +17,8 @@ class CellPointIndex {
   PointRange cut_range(int cell) const { return cut_[cell]; }
   /// Points of the surface of a place (boundary or interface) in a cell.
   PointRange surface_range(Contribution::Place place, int cell) const {
-    const std::vector<PointRange>& ranges = place == Contribution::Place::boundary
-                                                ? boundary_
-                                                : interfaces_;
+    const std::vector<PointRange>& ranges =
+        place == Contribution::Place::boundary ? boundary_ : interfaces_;
     return ranges.empty() ? PointRange{} : ranges[cell];
   }
 

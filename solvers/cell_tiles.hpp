@@ -9,9 +9,9 @@
 namespace rfm {
 
 /// Blocks of neighbouring cells, coloured like a chess board (2^dimension colours), so that tiles
-/// of one colour can be worked on at the same time: they are a tile apart, and tiles are at least as
-/// wide as splines of the given degree reach, so that no spline is touched by two of them. Sums into
-/// shared arrays therefore come out the same, bit by bit, for any number of threads.
+/// of one colour can be worked on at the same time: they are a tile apart, and tiles are at least
+/// as wide as splines of the given degree reach, so that no spline is touched by two of them. Sums
+/// into shared arrays therefore come out the same, bit by bit, for any number of threads.
 class CellTiles {
  public:
   CellTiles(const Grid& grid, int degree);

@@ -21,7 +21,7 @@ class Coefficient {
   };
 
   Coefficient() = default;
-  Coefficient(const Field& field);                        // NOLINT: fields are coefficients
+  Coefficient(const Field& field);                          // NOLINT: fields are coefficients
   Coefficient(double value) : Coefficient(Field(value)) {}  // NOLINT
   /// n_axis, a component of the outward unit normal.
   static Coefficient normal(int axis);

@@ -1,10 +1,11 @@
+#include "solvers/integrand_values.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
-#include "solvers/compiled_integrand.hpp"
 
 namespace rfm {
 
@@ -28,8 +29,8 @@ IntegrandValues::IntegrandValues(const CompiledIntegrand& integrand, int capacit
   for (std::size_t i = 0; i < integrand.scalars().size(); ++i)
     std::fill_n(scalars_.begin() + i * capacity, capacity, integrand.scalars()[i].constant);
   const auto given = [](int scalar) { return scalar >= 0; };
-  has_load_ = !integrand.load().empty() ||
-              std::any_of(integrand.inhomogeneous().begin(), integrand.inhomogeneous().end(), given);
+  has_load_ = !integrand.load().empty() || std::any_of(integrand.inhomogeneous().begin(),
+                                                       integrand.inhomogeneous().end(), given);
 }
 
 void IntegrandValues::evaluate(IntegrandPoints& points, double time,

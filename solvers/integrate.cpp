@@ -20,7 +20,8 @@ static_assert(QuadratureBlock::max_size <= Tape::block_size);
 // The points of a place in blocks, and the tape at their points.
 class PlaceBlocks {
  public:
-  PlaceBlocks(const DomainRule& rule, const IntegrationPlace& place, const FieldArguments& arguments)
+  PlaceBlocks(const DomainRule& rule, const IntegrationPlace& place,
+              const FieldArguments& arguments)
       : volume_(rule),
         surface_(place.place == Contribution::Place::interface ? rule.interfaces()
                                                                : rule.boundary()),

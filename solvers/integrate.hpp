@@ -5,7 +5,7 @@
 
 #include "core/field.hpp"
 #include "quadrature/domain_rule.hpp"
-#include "solvers/assembly.hpp"
+#include "solvers/field_arguments.hpp"
 #include "solvers/integrand.hpp"
 
 namespace rfm {
@@ -17,9 +17,9 @@ struct IntegrationPlace {
   std::vector<int> numbers{};
 };
 
-/// ∫ f over a place, for several fields at once: the integrand may depend on the normal on surfaces.
-/// Sums are compensated and taken in a fixed order, whatever the number of threads. Throws
-/// `ComputationError` where a value is not finite.
+/// ∫ f over a place, for several fields at once: the integrand may depend on the normal on
+/// surfaces. Sums are compensated and taken in a fixed order, whatever the number of threads.
+/// Throws `ComputationError` where a value is not finite.
 std::vector<double> integrate(std::span<const Coefficient> integrands, const DomainRule& rule,
                               const IntegrationPlace& place = {},
                               const FieldArguments& arguments = {});
@@ -33,10 +33,10 @@ double maximum(const Field& field, const DomainRule& rule, const IntegrationPlac
 
 /// Norms of a field over the volume.
 struct FieldNorms {
-  double l2 = 0;            ///< √∫ f²
-  double h1_seminorm = 0;   ///< √∫ |∇f|²
-  double maximum = 0;       ///< over the points of the rule
-  double h1() const;        ///< √∫ (f² + |∇f|²)
+  double l2 = 0;           ///< √∫ f²
+  double h1_seminorm = 0;  ///< √∫ |∇f|²
+  double maximum = 0;      ///< over the points of the rule
+  double h1() const;       ///< √∫ (f² + |∇f|²)
 };
 FieldNorms norms(const Field& field, const DomainRule& rule, const FieldArguments& arguments = {});
 

@@ -2,61 +2,67 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/IterativeLinearSolvers>
-
 #include "core/error.hpp"
+#include "solvers/conjugate_gradient.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
 namespace {
 
-Eigen::VectorXd residual(const SparseMatrix& lower, const Eigen::VectorXd& right_hand_side,
-                         const Eigen::VectorXd& solution) {
-  return right_hand_side - lower.selfadjointView<Eigen::Lower>() * solution;
-}
+using Method = LinearSolverOptions::Method;
 
-bool use_conjugate_gradient(const LinearSolverOptions& options, Eigen::Index size) {
-  using Method = LinearSolverOptions::Method;
-  if (options.method != Method::automatic) return options.method == Method::conjugate_gradient;
-  return options.dimension >= 3 && size > options.largest_direct_3d;
-}
+// S K S y = S f, with c = S y.
+struct ScaledSystem {
+  SparseMatrix lower;
+  Eigen::VectorXd right_hand_side;
+  std::span<const std::int64_t> elimination_order;
 
-Eigen::VectorXd solve_directly(const SparseMatrix& scaled, const Eigen::VectorXd& right_hand_side,
-                               std::span<const std::int64_t> order,
-                               const LinearSolverOptions& options, LinearSolution& report) {
+  Eigen::VectorXd residual(const Eigen::VectorXd& solution) const {
+    return right_hand_side - lower.selfadjointView<Eigen::Lower>() * solution;
+  }
+};
+
+Eigen::VectorXd solve_directly(const ScaledSystem& system, const LinearSolverOptions& options,
+                               LinearSolution& report) {
   const Ordering ordering = options.dimension >= 3 ? Ordering::metis : Ordering::amd;
-  const SymmetricFactorization factorization = order.empty()
-                                                   ? SymmetricFactorization(scaled, ordering)
-                                                   : SymmetricFactorization(scaled, order);
+  const SymmetricFactorization factorization =
+      system.elimination_order.empty()
+          ? SymmetricFactorization(system.lower, ordering)
+          : SymmetricFactorization(system.lower, system.elimination_order);
   report.method = factorization.method() == SymmetricFactorization::Method::cholesky
                       ? LinearSolution::Method::cholesky
                       : LinearSolution::Method::ldlt;
   report.smallest_eigenvalue = factorization.smallest_eigenvalue();
-  Eigen::VectorXd solution = factorization.solve(right_hand_side);
+  Eigen::VectorXd solution = factorization.solve(system.right_hand_side);
   for (int step = 0; step < options.refinement_steps; ++step)
-    solution += factorization.solve(residual(scaled, right_hand_side, solution));
+    solution += factorization.solve(system.residual(solution));
   return solution;
 }
 
-Eigen::VectorXd solve_by_conjugate_gradient(const SparseMatrix& scaled,
-                                            const Eigen::VectorXd& right_hand_side,
-                                            const LinearSolverOptions& options,
-                                            LinearSolution& report) {
-  // The diagonal of the scaled matrix is one: Jacobi preconditioning is already done.
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower, Eigen::IdentityPreconditioner> iteration;
-  iteration.setTolerance(options.tolerance);
-  iteration.setMaxIterations(options.largest_iteration_count);
-  iteration.compute(scaled);
-  Eigen::VectorXd solution = iteration.solve(right_hand_side);
-  report.method = LinearSolution::Method::conjugate_gradient;
-  report.iterations = static_cast<int>(iteration.iterations());
-  if (iteration.info() != Eigen::Success)
-    throw ComputationError(
-        fmt::format("conjugate gradients did not converge in {} iterations (relative residual "
-                    "{:.1e}): the problem may not determine its solution, or it needs a direct "
-                    "solver",
-                    options.largest_iteration_count, iteration.error()));
-  return solution;
+bool tries_conjugate_gradient(const LinearSolverOptions& options, Eigen::Index size) {
+  if (options.method != Method::automatic) return options.method == Method::conjugate_gradient;
+  return options.dimension >= 3 && size > options.largest_direct_3d;
+}
+
+Eigen::VectorXd solve_scaled(const ScaledSystem& system, const LinearSolverOptions& options,
+                             LinearSolution& report) {
+  if (!tries_conjugate_gradient(options, system.right_hand_side.size()))
+    return solve_directly(system, options, report);
+  const ConjugateGradientResult result = conjugate_gradient(
+      system.lower, system.right_hand_side, options.tolerance, options.largest_iteration_count);
+  report.iterations = result.iterations;
+  using Outcome = ConjugateGradientResult::Outcome;
+  if (result.outcome == Outcome::converged) {
+    report.method = LinearSolution::Method::conjugate_gradient;
+    return result.solution;
+  }
+  if (options.method == Method::automatic) return solve_directly(system, options, report);
+  throw ComputationError(
+      fmt::format("conjugate gradients {} after {} iterations (relative residual {:.1e}): the "
+                  "problem may not determine its solution, or it needs a direct solver",
+                  result.outcome == Outcome::indefinite ? "met a direction without positive energy"
+                                                        : "did not converge",
+                  result.iterations, result.relative_residual));
 }
 
 }  // namespace
@@ -65,19 +71,17 @@ LinearSolution solve(const LinearSystem& system, const LinearSolverOptions& opti
   if (!system.right_hand_side.allFinite())
     throw ComputationError("the right-hand side contains a number that is not finite");
   const DiagonalScaling scaling(system.matrix);
-  const SparseMatrix scaled = scaling.apply(system.matrix);
-  const Eigen::VectorXd right_hand_side = scaling.factors.cwiseProduct(system.right_hand_side);
-
+  const ScaledSystem scaled{scaling.apply(system.matrix),
+                            scaling.factors.cwiseProduct(system.right_hand_side),
+                            system.elimination_order};
   LinearSolution result;
   result.dropped = scaling.dropped;
-  const Eigen::VectorXd solution = use_conjugate_gradient(options, system.size())
-                 ? solve_by_conjugate_gradient(scaled, right_hand_side, options, result)
-                 : solve_directly(scaled, right_hand_side, system.elimination_order, options, result);
+  const Eigen::VectorXd solution = solve_scaled(scaled, options, result);
   result.coefficients = scaling.factors.cwiseProduct(solution);
   if (!result.coefficients.allFinite())
     throw ComputationError("the solution of the system of equations is not finite");
-  const double size = right_hand_side.norm();
-  if (size > 0) result.relative_residual = residual(scaled, right_hand_side, solution).norm() / size;
+  const double size = scaled.right_hand_side.norm();
+  if (size > 0) result.relative_residual = scaled.residual(solution).norm() / size;
   return result;
 }
 

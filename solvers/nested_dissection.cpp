@@ -35,9 +35,8 @@ class Dissection {
     const int axis = longest_axis(begin, end);
     const Iterator middle = begin + (end - begin) / 2;
     const auto center = [axis](const Node& node) { return node.low[axis] + node.high[axis]; };
-    std::nth_element(begin, middle, end, [&](const Node& a, const Node& b) {
-      return center(a) < center(b);
-    });
+    std::nth_element(begin, middle, end,
+                     [&](const Node& a, const Node& b) { return center(a) < center(b); });
     const int line = center(*middle) / 2;
     const Iterator behind = std::stable_partition(
         begin, end, [&](const Node& node) { return node.high[axis] <= line; });

@@ -5,6 +5,8 @@
 namespace rfm {
 namespace {
 
+using std::experimental::element_aligned;
+
 constexpr int lanes = static_cast<int>(SimdVector::size());
 constexpr int block_columns = 4;
 static_assert(product_padding % block_columns == 0 && product_padding % lanes == 0);
@@ -22,7 +24,6 @@ constexpr int cached_numbers = 1536;
 // A block of `vectors` · lanes rows and four columns, held in registers over all points.
 template <int vectors>
 void add_block(const Part& part, int rows, int columns, int i, int j, double* result) {
-  using std::experimental::element_aligned;
   double* corner = result + i + j * rows;
   SimdVector sum[block_columns][vectors];
   for (int column = 0; column < block_columns; ++column)
@@ -76,6 +77,27 @@ void outer_products(std::span<const VectorPair> pairs, int points, int rows, int
                rows, columns, lower, result);
       first = false;
     }
+}
+
+void linear_combinations(std::span<const WeightedVectors> terms, int points, int length,
+                         double* result) {
+  for (int q = 0; q < points; ++q)
+    for (int i = 0; i < length; i += lanes, result += lanes) {
+      SimdVector sum = 0;
+      for (const auto& [weights, vectors] : terms)
+        sum += weights[q] * SimdVector(vectors + std::ptrdiff_t(q) * length + i, element_aligned);
+      sum.copy_to(result, element_aligned);
+    }
+}
+
+void add_weighted_sum(const WeightedVectors& term, int points, int length, double* result) {
+  for (int i = 0; i < length; i += lanes) {
+    SimdVector sum(result + i, element_aligned);
+    const double* vector = term.vectors + i;
+    for (int q = 0; q < points; ++q, vector += length)
+      sum += term.weights[q] * SimdVector(vector, element_aligned);
+    sum.copy_to(result + i, element_aligned);
+  }
 }
 
 }  // namespace rfm

@@ -9,8 +9,9 @@ namespace rfm {
 using SimdVector = std::experimental::native_simd<double>;
 
 /// Lengths of local vectors are rounded up to this, so that products work on whole registers.
-inline constexpr int product_padding =
-    static_cast<int>(SimdVector::size()) > 4 ? static_cast<int>(SimdVector::size()) : 4;
+inline constexpr int product_padding = static_cast<int>(SimdVector::size()) > 4
+                                           ? static_cast<int>(SimdVector::size())
+                                           : 4;
 constexpr int padded(int count) {
   return (count + product_padding - 1) / product_padding * product_padding;
 }
@@ -26,5 +27,18 @@ struct VectorPair {
 /// needed: blocks wholly above the diagonal keep what was there.
 void outer_products(std::span<const VectorPair> pairs, int points, int rows, int columns,
                     bool lower, double* result);
+
+/// A number and a vector per point.
+struct WeightedVectors {
+  const double* weights = nullptr;
+  const double* vectors = nullptr;
+};
+
+/// At every point, result = Σ_terms weight · vector; `length` is a padded length.
+void linear_combinations(std::span<const WeightedVectors> terms, int points, int length,
+                         double* result);
+
+/// result += Σ_points weight · vector.
+void add_weighted_sum(const WeightedVectors& term, int points, int length, double* result);
 
 }  // namespace rfm

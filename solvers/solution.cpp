@@ -19,7 +19,8 @@ std::vector<Field> undetermined_functions(std::span<const TensorProductSpace> sp
   const double* own = coefficients.data();
   for (const TensorProductSpace& space : spaces) {
     functions.push_back(field(std::make_shared<SplineField>(
-        space.grid(), space.degree(), space.expand({own, static_cast<std::size_t>(space.size())}))));
+        space.grid(), space.degree(),
+        space.expand({own, static_cast<std::size_t>(space.size())}))));
     own += space.size();
   }
   return functions;

@@ -2,11 +2,11 @@
 
 #include <cholmod.h>
 
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "solvers/supernodal_ldlt.hpp"
 
 // Present when the BLAS is OpenBLAS and when CHOLMOD uses OpenMP. Their threads gain nothing on the
 // small supernodes of spline matrices (OpenMP's, spinning between tiny loops, cost a third of the
@@ -59,7 +59,7 @@ struct SymmetricFactorization::Factors {
   Eigen::Index size = 0;
   mutable cholmod_common common{};
   cholmod_factor* cholesky = nullptr;
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<std::int64_t>> ldlt;
+  std::unique_ptr<const SupernodalLdlt> ldlt;
 
   Factors() {
     if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
@@ -77,7 +77,7 @@ struct SymmetricFactorization::Factors {
 
   bool factorize_positive(const SparseMatrix& lower, Ordering ordering,
                           std::span<const std::int64_t> order) {
-    common.method[0].ordering = !order.empty()               ? CHOLMOD_GIVEN
+    common.method[0].ordering = !order.empty()              ? CHOLMOD_GIVEN
                                 : ordering == Ordering::amd ? CHOLMOD_AMD
                                                             : CHOLMOD_METIS;
     cholmod_sparse view{};
@@ -105,11 +105,20 @@ struct SymmetricFactorization::Factors {
     return true;
   }
 
+  // The fill of both factorisations is the same, and CHOLMOD has analysed it.
   void factorize_indefinite(const SparseMatrix& lower) {
+    const auto copy = [](const void* numbers, std::size_t count) {
+      const auto* begin = static_cast<const std::int64_t*>(numbers);
+      return std::vector<std::int64_t>(begin, begin + count);
+    };
+    SupernodalStructure structure;
+    structure.permutation = copy(cholesky->Perm, cholesky->n);
+    structure.first_column = copy(cholesky->super, cholesky->nsuper + 1);
+    structure.row_begin = copy(cholesky->pi, cholesky->nsuper + 1);
+    structure.rows = copy(cholesky->s, cholesky->ssize);
     cholmod_l_free_factor(&cholesky, &common);
     method = Method::ldlt;
-    ldlt.compute(lower);
-    if (ldlt.info() != Eigen::Success) throw_singular();
+    ldlt = std::make_unique<SupernodalLdlt>(lower, std::move(structure));
   }
 };
 
@@ -157,7 +166,7 @@ Eigen::VectorXd SymmetricFactorization::solve(const Eigen::VectorXd& right_hand_
                           " equations cannot take " + std::to_string(right_hand_side.size()) +
                           " right-hand sides");
   if (factors_->size == 0) return {};
-  if (factors_->method == Method::ldlt) return factors_->ldlt.solve(right_hand_side);
+  if (factors_->method == Method::ldlt) return factors_->ldlt->solve(right_hand_side);
   cholmod_dense view{};
   view.nrow = view.d = view.nzmax = static_cast<std::size_t>(right_hand_side.size());
   view.ncol = 1;
@@ -173,8 +182,6 @@ Eigen::VectorXd SymmetricFactorization::solve(const Eigen::VectorXd& right_hand_
 }
 
 SymmetricFactorization::Method SymmetricFactorization::method() const { return factors_->method; }
-double SymmetricFactorization::smallest_eigenvalue() const {
-  return factors_->smallest_eigenvalue;
-}
+double SymmetricFactorization::smallest_eigenvalue() const { return factors_->smallest_eigenvalue; }
 
 }  // namespace rfm

@@ -33,7 +33,9 @@ TEST(TensorProductSpace, KeepsExactlyTheSplinesOfMarkedCells) {
   for (int spline = 0; spline < space.spline_count(); ++spline) {
     const int function = space.function_of_spline(spline);
     EXPECT_EQ(function >= 0, kept.count(spline) == 1);
-    if (function >= 0) { EXPECT_EQ(space.spline_of_function(function), spline); }
+    if (function >= 0) {
+      EXPECT_EQ(space.spline_of_function(function), spline);
+    }
     EXPECT_EQ(space.spline(space.place(spline)), spline);
   }
 }

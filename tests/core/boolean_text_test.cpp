@@ -113,3 +113,10 @@ TEST(BooleanText, HostileNestingIsAMistakeAndNotACrash) {
   EXPECT_THAT(mistake(std::string(100'000, '(')), testing::HasSubstr("nested more than 250"));
   EXPECT_THAT(mistake(std::string(100'000, '!') + "a"), testing::HasSubstr("nested more than 250"));
 }
+TEST(BooleanText, AChainOfExclusiveOrsIsLimited) {
+  std::string chain = "a";
+  for (int i = 0; i < 10; ++i) chain += " ^ b";
+  EXPECT_EQ(truth_table(chain), truth_table("a"));  // b an even number of times
+  for (int i = 0; i < 90; ++i) chain += " ^ b";
+  EXPECT_THAT(mistake(chain), testing::HasSubstr("the expression of shapes is too large"));
+}

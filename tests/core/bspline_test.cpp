@@ -39,8 +39,12 @@ TEST_P(BSplinesOfDegree, FormAPositivePartitionOfUnityWhoseDerivativesSumToZero)
       for (const double value : table.values(a, k)) {
         sum += value;
         magnitude += std::abs(value);
-        if (k == 0) { EXPECT_GE(value, 0); }
-        if (k > degree) { EXPECT_EQ(value, 0); }
+        if (k == 0) {
+          EXPECT_GE(value, 0);
+        }
+        if (k > degree) {
+          EXPECT_EQ(value, 0);
+        }
       }
       EXPECT_NEAR(sum, k == 0 ? 1 : 0, 4e-16 * (magnitude + 1)) << "s = " << abscissae[a];
     }
@@ -54,7 +58,8 @@ TEST_P(BSplinesOfDegree, ReproducePolynomialsAndTheirDerivativesByMarsdensIdenti
       for (int k = 0; k <= degree; ++k) {
         double sum = 0, magnitude = 1;
         for (int i = 0; i <= degree; ++i) {
-          const double term = marsden_coefficient(degree, power, i - degree) * table.values(a, k)[i];
+          const double term =
+              marsden_coefficient(degree, power, i - degree) * table.values(a, k)[i];
           sum += term;
           magnitude += std::abs(term);
         }

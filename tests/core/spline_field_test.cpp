@@ -53,7 +53,8 @@ SplineField random_spline(const Grid& grid, int degree) {
   return SplineField(grid, degree, coefficients);
 }
 
-std::vector<double> jet_at(const SplineField& spline, const Point& point, int variables, int order) {
+std::vector<double> jet_at(const SplineField& spline, const Point& point, int variables,
+                           int order) {
   std::vector<double> jet(jet_size(variables, order));
   spline.evaluate({&point[0], &point[1], &point[2]}, 1, variables, order, jet.data(), 1);
   return jet;
@@ -65,7 +66,8 @@ const Grid interval({1, {-0.3}, {0.9}}, {5, 1, 1});
 
 class Splines : public testing::TestWithParam<std::tuple<int, int>> {};
 INSTANTIATE_TEST_SUITE_P(SplineField, Splines,
-                         testing::Combine(testing::Values(1, 2, 3), testing::Values(1, 2, 3, 5, 8)));
+                         testing::Combine(testing::Values(1, 2, 3),
+                                          testing::Values(1, 2, 3, 5, 8)));
 
 TEST_P(Splines, WithMarsdensCoefficientsAreMonomialsInAllTheirDerivatives) {
   const auto [dimension, degree] = GetParam();
@@ -75,7 +77,8 @@ TEST_P(Splines, WithMarsdensCoefficientsAreMonomialsInAllTheirDerivatives) {
   for (int axis = 0; axis < dimension; ++axis)
     power[axis] = static_cast<std::uint8_t>(std::max(0, degree - axis));
   const SplineField spline = monomial(grid, degree, power);
-  for (const Point& point : {Point{-0.3, 0.1, 0.4}, Point{0.05, 0.51, 0.73}, Point{0.9, 0.7, 1.3}}) {
+  for (const Point& point :
+       {Point{-0.3, 0.1, 0.4}, Point{0.05, 0.51, 0.73}, Point{0.9, 0.7, 1.3}}) {
     const std::vector<double> jet = jet_at(spline, point, dimension, order);
     for (int i = 0; i <= order; ++i)
       for (int j = 0; j <= (dimension > 1 ? order - i : 0); ++j)
@@ -122,7 +125,8 @@ TEST_P(Splines, StayWithinTheirBounds) {
     const double size = std::pow(0.5, box_number % 6);
     for (int axis = 0; axis < dimension; ++axis) {
       const double length = size * grid.box().length(axis);
-      box.low[axis] = grid.box().low[axis] + uniform(generator) * (grid.box().length(axis) - length);
+      box.low[axis] =
+          grid.box().low[axis] + uniform(generator) * (grid.box().length(axis) - length);
       box.high[axis] = box.low[axis] + length;
     }
     const FunctionBounds bounds = spline.bounds(box);

@@ -16,9 +16,9 @@ TEST(CommandLine, SolvesTheFilesItNames) {
   EXPECT_FALSE(line.picture || line.quiet || line.json || line.threads || line.output);
 }
 TEST(CommandLine, TakesOptionsInAnyOrder) {
-  const CommandLine line = parse_command_line(
-      {"--set", "a.b=[1, 2]", "f.yaml", "--set", "c=x == y", "--output", "out", "--threads", "3",
-       "--converge=4", "--picture", "--quiet", "--json", "--no-verify"});
+  const CommandLine line = parse_command_line({"--set", "a.b=[1, 2]", "f.yaml", "--set", "c=x == y",
+                                               "--output", "out", "--threads", "3", "--converge=4",
+                                               "--picture", "--quiet", "--json", "--no-verify"});
   EXPECT_EQ(line.command, Command::solve);
   EXPECT_THAT(line.files, ElementsAre("f.yaml"));
   EXPECT_THAT(line.overrides, ElementsAre("a.b=[1, 2]", "c=x == y"));

@@ -35,9 +35,10 @@ TEST(Document, KeepsThePlaceOfEveryKeyAndValue) {
   EXPECT_EQ(pair.items[1].place.length, 2);
 }
 TEST(Document, InterpretsNothing) {
-  const DocumentNode root = parse("[1e-3, yes, on, 08, 0x10, 2*r, .5, 'a''b', \"\\u00e9\", ~, null, '']");
-  const std::vector<std::string> texts = {"1e-3", "yes", "on", "08",      "0x10", "2*r",
-                                          ".5",   "a'b", "\u00e9", "", "",     ""};
+  const DocumentNode root =
+      parse("[1e-3, yes, on, 08, 0x10, 2*r, .5, 'a''b', \"\\u00e9\", ~, null, '']");
+  const std::vector<std::string> texts = {"1e-3", "yes", "on",     "08", "0x10", "2*r",
+                                          ".5",   "a'b", "\u00e9", "",   "",     ""};
   ASSERT_EQ(root.items.size(), texts.size());
   for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(root.items[i].text, texts[i]);
   EXPECT_FALSE(root.items[1].quoted);
@@ -61,13 +62,16 @@ TEST(Document, CountsColumnsInCharacters) {
   EXPECT_EQ(root.entries[1].key_place.text(), "f.yaml:1:10");
 }
 TEST(Document, SkipsAByteOrderMarkAndCarriageReturns) {
-  const DocumentNode root = parse("\xEF\xBB\xBF" "a: 1\r\nb: 2\r\n");
+  const DocumentNode root = parse(
+      "\xEF\xBB\xBF"
+      "a: 1\r\nb: 2\r\n");
   EXPECT_EQ(root.find("b")->text, "2");
   EXPECT_EQ(root.entries[0].key_place.text(), "f.yaml:1:1");
   EXPECT_EQ(root.find("b")->place.excerpt(), "    2 | b: 2\n      |    ^\n");
 }
 TEST(Document, FindsAPlaceWithinAText) {
-  const DocumentNode root = parse("a: x + yy\nb: \"x + yy\"\nc: >\n  x\n  + yy\nd: \"x\\x20+ yy\"\n");
+  const DocumentNode root =
+      parse("a: x + yy\nb: \"x + yy\"\nc: >\n  x\n  + yy\nd: \"x\\x20+ yy\"\n");
   EXPECT_EQ(root.find("a")->place_within(4, 2).text(), "f.yaml:1:8");
   EXPECT_EQ(root.find("b")->place_within(4, 2).text(), "f.yaml:2:9");
   // Where the text is not in the file as it is, the place is that of the whole.
@@ -93,7 +97,9 @@ TEST(Document, RefusesTextThatIsNotUtf8) {
   EXPECT_EQ(mistake("b: \xC0\xAF\n"), "f.yaml:1:4: the text is not UTF-8 here");      // overlong
   EXPECT_EQ(mistake("b: \xED\xA0\x80\n"), "f.yaml:1:4: the text is not UTF-8 here");  // surrogate
   EXPECT_EQ(mistake("b: \xE2\x82"), "f.yaml:1:4: the text is not UTF-8 here");        // cut off
-  EXPECT_EQ(mistake("\xFF\xFE" "a"), "f.yaml:1:1: the text is not UTF-8 here");           // UTF-16
+  EXPECT_EQ(mistake("\xFF\xFE"
+                    "a"),
+            "f.yaml:1:1: the text is not UTF-8 here");  // UTF-16
   EXPECT_EQ(mistake(std::string("a: \0b\n", 6)), "f.yaml:1:4: a control character in the text");
 }
 TEST(Document, HostileTextIsAMistakeAndNotACrash) {
@@ -110,10 +116,7 @@ TEST(Document, RefusesFilesThatCannotBeRead) {
   EXPECT_THROW(read_source("no/such/file.yaml"), ProblemFileErrors);
   EXPECT_THROW(read_source("."), ProblemFileErrors);
 }
-TEST(Document, FindsWholeWords) {
-  const DocumentNode root = parse("{a: 'omega(hole) + hole2', b: [disk]}");
-  EXPECT_TRUE(names_word(root, "hole"));
-  EXPECT_TRUE(names_word(root, "disk"));
-  EXPECT_FALSE(names_word(root, "hol"));
-  EXPECT_FALSE(names_word(root, "b"));  // a key
+TEST(Document, ListsTheWordsOfItsScalars) {
+  const DocumentNode root = parse("{a: 'omega(hole) + hole_2', b: [disk.left, 3]}");
+  EXPECT_THAT(words_of(root), testing::ElementsAre("3", "disk", "hole", "hole_2", "left", "omega"));
 }

@@ -20,9 +20,10 @@ Mistake mistake_at(const Place& place) {
 
 TEST(Mistake, ShowsTheLineWithACaret) {
   const auto text = source("title: x\nhole: {raduis: 1}\n");
-  const Mistake mistake{"unknown key", {text, 2, 8, 6}, {{"as here", {text, 1, 1, 5}}}};
+  Mistake mistake = mistake_at({text, 2, 8, 6});
+  mistake.others.push_back({"as here", {text, 1, 1, 5}});
   EXPECT_EQ(mistake.text(),
-            "plate.yaml:2:8: unknown key\n"
+            "plate.yaml:2:8: wrong\n"
             "    2 | hole: {raduis: 1}\n"
             "      |        ^~~~~~\n"
             "  plate.yaml:1:1: as here\n"
@@ -47,7 +48,7 @@ TEST(Mistake, OfALongLineShowsThePartAboutTheCaret) {
   const std::string excerpt = (Place{text, 1, 501, 1}).excerpt();
   const std::size_t line_end = excerpt.find('\n');
   EXPECT_LE(line_end, 120u);
-  EXPECT_EQ(excerpt.find('X') , excerpt.find('^') - line_end - 1);
+  EXPECT_EQ(excerpt.find('X'), excerpt.find('^') - line_end - 1);
 }
 TEST(Mistake, OfTheCommandLineHasNoLine) {
   const auto text = make_source("--set a=b", "b", false);

@@ -64,8 +64,9 @@ TEST(Overrides, ReportWhatCannotBeSet) {
   EXPECT_EQ(applied({"conditions.2.value=1"}).second,
             "--set conditions.2.value=1: 'conditions' is a list of 2 items: expected a number from "
             "0 to 1 but found '2'\n");
-  EXPECT_EQ(applied({"conditions.x=1"}).second,
-            "--set conditions.x=1: 'conditions' is a list of 2 items: expected a number from 0 to 1 "
-            "but found 'x'\n");
+  EXPECT_EQ(
+      applied({"conditions.x=1"}).second,
+      "--set conditions.x=1: 'conditions' is a list of 2 items: expected a number from 0 to 1 "
+      "but found 'x'\n");
   EXPECT_THAT(applied({"title=[1"}).second, testing::StartsWith("--set title=[1: a '[' is not"));
 }

@@ -32,12 +32,12 @@ TEST(Schema, DefaultsAreYamlOfTheRightKind) {
     if (key.presence.standard.empty()) return;
     const DocumentNode node = parse_document(
         make_source("default of " + key.path, std::string(key.presence.standard), false));
-    if (node.is_map())
-      EXPECT_TRUE(key.takes(map_value | named_map_value)) << key.path;
-    else if (node.is_list())
-      EXPECT_TRUE(key.takes(list_value | vector_value | numbers_value)) << key.path;
-    if (key.takes(word_value) && node.is_scalar())
+    const unsigned lists = list_value | vector_value | numbers_value;
+    const unsigned maps = map_value | named_map_value;
+    EXPECT_TRUE(node.is_scalar() || key.takes(node.is_map() ? maps : lists)) << key.path;
+    if (key.takes(word_value) && node.is_scalar()) {
       EXPECT_THAT(key.words, testing::Contains(testing::Field(&SchemaKey::name, node.text)));
+    }
   });
 }
 TEST(Schema, RowsOfOneNameApplyUnderDifferentConditions) {

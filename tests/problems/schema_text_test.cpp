@@ -47,21 +47,22 @@ TEST(ExplainKey, SuggestsWhatAMisspeltKeyMeans) {
 class EveryWordOfTheFormat : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(
     Keys, EveryWordOfTheFormat,
-    testing::Values(
-        "rfm", "title", "dimension", "parameters", "fields", "functions", "units", "include",
-        "geometry.shapes", "geometry.domain", "geometry.combine.rule", "geometry.bounds.min",
-        "geometry.profiles", "regions.of", "regions.where", "regions.touching", "regions.near",
-        "regions.normal", "regions.within", "conditions.at", "conditions.enforce",
-        "conditions.priority", "points.at", "sets.curve.of", "cracks.tip", "enrich.exponents",
-        "windows.basis", "remainder", "materials.in", "study.initial", "study.frequencies",
-        "discretization.grid.max", "discretization.method", "discretization.structure",
-        "quadrature.order", "refine.levels", "accuracy.target", "accuracy.max_unknowns",
-        "solver.linear", "solver.tolerance", "solver.threads", "sweep", "probes.point",
-        "probes.line", "probes.points", "probes.value", "probes.integral", "probes.average",
-        "probes.max", "probes.min", "probes.over", "probes.at_times", "verify.exact",
-        "expect.quantity", "expect.relative_tolerance", "convergence.cells",
-        "minimum_order.L2", "convergence.order.H1", "outputs.fields", "vtu.resolution",
-        "picture.field", "picture.contours", "combine.corner_scales", "saturate.alpha"));
+    testing::Values("rfm", "title", "dimension", "parameters", "fields", "functions", "units",
+                    "include", "geometry.shapes", "geometry.domain", "geometry.combine.rule",
+                    "geometry.bounds.min", "geometry.profiles", "regions.of", "regions.where",
+                    "regions.touching", "regions.near", "regions.normal", "regions.within",
+                    "conditions.at", "conditions.enforce", "conditions.priority", "points.at",
+                    "sets.curve.of", "cracks.tip", "enrich.exponents", "windows.basis", "remainder",
+                    "materials.in", "study.initial", "study.frequencies", "discretization.grid.max",
+                    "discretization.method", "discretization.structure", "quadrature.order",
+                    "refine.levels", "accuracy.target", "accuracy.max_unknowns", "solver.linear",
+                    "solver.tolerance", "solver.threads", "sweep", "probes.point", "probes.line",
+                    "probes.points", "probes.value", "probes.integral", "probes.average",
+                    "probes.max", "probes.min", "probes.over", "probes.at_times", "verify.exact",
+                    "expect.quantity", "expect.relative_tolerance", "convergence.cells",
+                    "minimum_order.L2", "convergence.order.H1", "outputs.fields", "vtu.resolution",
+                    "picture.field", "picture.contours", "combine.corner_scales",
+                    "saturate.alpha"));
 INSTANTIATE_TEST_SUITE_P(
     Shapes, EveryWordOfTheFormat,
     testing::Values("half_plane.normal", "circle.center", "ellipse.angle", "box.max", "strip.width",

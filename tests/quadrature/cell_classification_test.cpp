@@ -46,12 +46,13 @@ TEST(CellClassification, CutCellsOfADiskAreThoseItsCircleMeets) {
     const auto farthest = [](double c, double low, double high) {
       return std::max(high - c, c - low);
     };
-    const double near = std::hypot(nearest(0.1, b.low[0], b.high[0]),
-                                   nearest(-0.07, b.low[1], b.high[1]));
-    const double far = std::hypot(farthest(0.1, b.low[0], b.high[0]),
-                                  farthest(-0.07, b.low[1], b.high[1]));
-    const CellState expected =
-        far < 1 ? CellState::inside : near > 1 ? CellState::outside : CellState::cut;
+    const double near =
+        std::hypot(nearest(0.1, b.low[0], b.high[0]), nearest(-0.07, b.low[1], b.high[1]));
+    const double far =
+        std::hypot(farthest(0.1, b.low[0], b.high[0]), farthest(-0.07, b.low[1], b.high[1]));
+    const CellState expected = far < 1    ? CellState::inside
+                               : near > 1 ? CellState::outside
+                                          : CellState::cut;
     EXPECT_EQ(classification.states[cell], expected) << "cell " << cell;
     cut += expected == CellState::cut;
   }

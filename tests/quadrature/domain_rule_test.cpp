@@ -4,7 +4,9 @@
 #include <tbb/global_control.h>
 
 #include "core/error.hpp"
+#include "core/field_source.hpp"
 #include "core/level_function.hpp"
+#include "core/multi_index.hpp"
 #include "quadrature/integrate.hpp"
 #include "tests/quadrature/regions.hpp"
 
@@ -39,8 +41,7 @@ Body disk_without_disk() {
   const double d = std::hypot(0.6, 0.3), r = 0.7;
   const double alpha = std::acos((d * d + 1 - r * r) / (2 * d));
   const double beta = std::acos((d * d + r * r - 1) / (2 * d * r));
-  const double lens =
-      alpha - std::sin(2 * alpha) / 2 + r * r * (beta - std::sin(2 * beta) / 2);
+  const double lens = alpha - std::sin(2 * alpha) / 2 + r * r * (beta - std::sin(2 * beta) / 2);
   return {"disk without disk", disk(0, 0, 1) - disk(0.6, 0.3, r), pi - lens,
           2 * (pi - alpha) + 2 * r * beta};
 }
@@ -49,9 +50,8 @@ class CurvedBody : public testing::TestWithParam<Body> {};
 INSTANTIATE_TEST_SUITE_P(
     DomainRule, CurvedBody,
     testing::Values(Body{"disk", disk(0.1, -0.07, 1), pi, 2 * pi},
-                    Body{"ellipse",
-                         region_of(1 - square(x() - 0.03) - 4 * square(y() + 0.05), 2), pi / 2,
-                         4.844224110273838099},
+                    Body{"ellipse", region_of(1 - square(x() - 0.03) - 4 * square(y() + 0.05), 2),
+                         pi / 2, 4.844224110273838099},
                     Body{"disk as a square root",
                          region_of(1 - sqrt(square(x() - 0.1) + square(y())), 2), pi, 2 * pi},
                     disk_without_disk()));
@@ -93,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Body{"star", star(0.45, 0.21), star_area(0.45), star_perimeter(0.45)},
                     // Three sides of the smaller square and their corners stand outside.
                     Body{"square with notch",
-                         turned_square(0.9, 0.3) - turned_square(0.3, 0.3, 0.9 * std::cos(0.3),
-                                                                 0.9 * std::sin(0.3)),
+                         turned_square(0.9, 0.3) -
+                             turned_square(0.3, 0.3, 0.9 * std::cos(0.3), 0.9 * std::sin(0.3)),
                          3.24 - 0.18, 7.2 + 0.6}));
 
 TEST_P(Polygon, MeasuresAreExactForEveryGridAndOrder) {
@@ -206,8 +206,9 @@ TEST(DomainRule, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(DomainRule, InterfacesSplitTheRuleWhereIntegrandsJump) {
-  // f = 3 above the line y = 0.1 + 0.5 x and 1 below it, over the unit disk; the line is at distance
-  // d = 0.1 / √1.25 from the centre, so that the segment above has area acos d − d √(1 − d²).
+  // f = 3 above the line y = 0.1 + 0.5 x and 1 below it, over the unit disk; the line is at
+  // distance d = 0.1 / √1.25 from the centre, so that the segment above has area acos d − d √(1 −
+  // d²).
   std::vector<LevelFunction> interfaces;
   interfaces.emplace_back(y() - 0.1 - 0.5 * x(), 2);
   QuadratureOptions options;
@@ -237,10 +238,11 @@ TEST(DomainRule, InterfacesSplitTheBoundaryToo) {
   options.inside_points = options.cut_points = 10;
   const DomainRule rule =
       make_domain_rule(RegionEvaluator(disk(0, 0, 1)), grid(1, 12), options, interfaces);
-  const double length = integrate(rule.boundary(), [](const QuadratureBlock& block, double* values) {
-    for (int k = 0; k < block.count; ++k)
-      values[k] = block.coordinates[1][k] > 0.1 + 0.5 * block.coordinates[0][k];
-  });
+  const double length =
+      integrate(rule.boundary(), [](const QuadratureBlock& block, double* values) {
+        for (int k = 0; k < block.count; ++k)
+          values[k] = block.coordinates[1][k] > 0.1 + 0.5 * block.coordinates[0][k];
+      });
   EXPECT_NEAR(length, 2 * std::acos(0.1 / std::sqrt(1.25)), 1e-12);
 }
 
@@ -262,10 +264,55 @@ TEST(DomainRule, BreakpointsSplitCellsInsideAndCut) {
   EXPECT_GT(std::fabs(integral(make_domain_rule(evaluator, grid(1.2, 7), options)) - exact), 1e-4);
 }
 
+// y below 0.3 + max(x − 0.123, 0)²: the curvature of its boundary jumps at the knot.
+class SplineGraph : public FieldSource {
+ public:
+  explicit SplineGraph(bool tells_knots) : tells_knots_(tells_knots) {}
+  void evaluate(const std::array<const double*, 3>& coordinates, int count, int variables,
+                int order, double* jets, int stride) const override {
+    std::fill(jets, jets + jet_size(variables, order) * stride, 0.0);
+    for (int i = 0; i < count; ++i) {
+      const double t = std::max(coordinates[0][i] - knot, 0.0);
+      jets[i] = 0.3 + t * t - coordinates[1][i];
+      if (order < 1) continue;
+      jets[jet_index(variables, unit_index(0)) * stride + i] = 2 * t;
+      jets[jet_index(variables, unit_index(1)) * stride + i] = -1;
+    }
+  }
+  FunctionBounds bounds(const Box& box) const override {
+    FunctionBounds result;
+    const Interval t{std::max(box.low[0] - knot, 0.0), std::max(box.high[0] - knot, 0.0)};
+    result.value = Interval(0.3) + rfm::square(t) - box.interval(1);
+    result.gradient[0] = Interval(2.0) * t;
+    result.gradient[1] = -1.0;
+    return result;
+  }
+  std::vector<double> breakpoints(int axis) const override {
+    return axis == 0 && tells_knots_ ? std::vector{knot} : std::vector<double>{};
+  }
+  Box valid() const override { return grid(2, 1).box(); }
+
+ private:
+  static constexpr double knot = 0.123;
+  bool tells_knots_;
+};
+
+TEST(DomainRule, KnotsOfAPrimitiveSplitCells) {
+  // ∫ over −1 ≤ x ≤ 1 of 0.3 + max(x − 0.123, 0)² = 0.6 + 0.877³ / 3.
+  const auto area = [](bool tells_knots) {
+    const Region below = region_of(field(std::make_shared<SplineGraph>(tells_knots)), 2);
+    const Region region = below & half_plane(0, 1, 0) & half_plane(1, 0, 1) & half_plane(-1, 0, 1);
+    return rule_for(region, grid(1.4, 7), 2).measure();
+  };
+  const double exact = 0.6 + std::pow(0.877, 3) / 3;
+  EXPECT_NEAR(area(true), exact, 1e-14);
+  EXPECT_GT(std::fabs(area(false) - exact), 1e-9);
+}
+
 TEST(DomainRule, InOneDimensionIsAUnionOfIntervals) {
   // [−0.8, 0.9] without (−0.1, 0.3)
-  const Region region = (region_of(0.9 - x(), 1) & region_of(0.8 + x(), 1)) -
-                        region_of((x() + 0.1) * (0.3 - x()), 1);
+  const Region region =
+      (region_of(0.9 - x(), 1) & region_of(0.8 + x(), 1)) - region_of((x() + 0.1) * (0.3 - x()), 1);
   for (const int cells : {1, 2, 5, 17}) {
     const DomainRule rule = rule_for(region, grid(1.1, cells, 1), 3);
     EXPECT_NEAR(rule.measure(), 1.3, 1e-15);

@@ -41,8 +41,8 @@ TEST(FailureModes, InternallyTangentDisks) {
 
 TEST(FailureModes, TangentFilletsOfAStadium) {
   const auto line = [](const Field& f) { return region_of(f, 2); };
-  const Region body = line(0.8 - along()) & line(0.8 + along()) & line(0.5 - across()) &
-                      line(0.5 + across());
+  const Region body =
+      line(0.8 - along()) & line(0.8 + along()) & line(0.5 - across()) & line(0.5 + across());
   const Region ends = disk(0.8 * std::cos(0.3), 0.8 * std::sin(0.3), 0.5) |
                       disk(-0.8 * std::cos(0.3), -0.8 * std::sin(0.3), 0.5);
   const double area = 1.6 + pi / 4, perimeter = 3.2 + pi;
@@ -82,8 +82,7 @@ TEST(FailureModes, CuspOfOnePrimitiveEndsInSmallReportedBoxes) {
 }
 
 TEST(FailureModes, NodeOfALemniscate) {
-  const Region region =
-      region_of(square(x()) - square(y()) - square(square(x()) + square(y())), 2);
+  const Region region = region_of(square(x()) - square(y()) - square(square(x()) + square(y())), 2);
   const double perimeter = 5.244115108584239621;  // the lemniscate constant times two
   const Errors coarse = errors(region, 1, perimeter, 4);
   EXPECT_LT(coarse.area, 1e-11);
@@ -97,8 +96,8 @@ TEST(FailureModes, NodeOfALemniscate) {
 
 TEST(FailureModes, ApexOfASquareRootOnTheBoundary) {
   // y > |x − 0.03| + 0.05, written with √(x²): the primitive is not smooth on the boundary.
-  const Region region = region_of(y() - 0.05 - sqrt(square(x() - 0.03)), 2) &
-                        half_plane(0, -1, 1.05);
+  const Region region =
+      region_of(y() - 0.05 - sqrt(square(x() - 0.03)), 2) & half_plane(0, -1, 1.05);
   const Errors coarse = errors(region, 1, 2 + 2 * std::sqrt(2.0), 4);
   EXPECT_LT(coarse.area, 1e-9);
   EXPECT_LT(coarse.perimeter, 1e-9);
@@ -116,8 +115,8 @@ TEST(FailureModes, ApexAwayFromTheBoundaryCostsNothing) {
 TEST(FailureModes, CornerOfAHorizontalAndAVerticalTangent) {
   // y > x² and x > y², moved off the grid: no axis serves for both curves at the corner, a rotated
   // frame does.
-  const Region region = region_of(y() - 0.05 - square(x() - 0.05), 2) &
-                        region_of(x() - 0.05 - square(y() - 0.05), 2);
+  const Region region =
+      region_of(y() - 0.05 - square(x() - 0.05), 2) & region_of(x() - 0.05 - square(y() - 0.05), 2);
   const double perimeter = 2 * (2 * std::sqrt(5.0) + std::asinh(2.0)) / 4;
   const Errors coarse = errors(region, 1.0 / 3, perimeter, 4);
   EXPECT_LT(coarse.area, 1e-9);
@@ -165,8 +164,7 @@ TEST(FailureModes, APrimitiveThatOnlyTouchesZeroIsPositive) {
 TEST(FailureModes, StripsAsThinAsOneTenBillionth) {
   for (const double width : {2e-3, 2e-6, 2e-10}) {
     const double w = width / 2;
-    const Region strip =
-        disk(0, 0, 1) & region_of(w - across(), 2) & region_of(w + across(), 2);
+    const Region strip = disk(0, 0, 1) & region_of(w - across(), 2) & region_of(w + across(), 2);
     const double area = 2 * (w * std::sqrt(1 - w * w) + std::asin(w));
     const Errors error = errors(strip, area, 4 * std::sqrt(1 - w * w) + 4 * std::asin(w), 16);
     EXPECT_LT(error.area, 1e-15);
@@ -182,9 +180,8 @@ TEST(FailureModes, BisectionThatHelpsNothingEndsAtTheBudget) {
   QuadratureOptions options;
   options.subdivision.max_bisections = 50;
   options.cut_points = 3;
-  const DomainRule rule =
-      make_domain_rule(RegionEvaluator(region_of(-hopeless * (1 + exp(x())), 2)), grid(0.2, 2),
-                       options);
+  const DomainRule rule = make_domain_rule(
+      RegionEvaluator(region_of(-hopeless * (1 + exp(x())), 2)), grid(0.2, 2), options);
   EXPECT_LE(rule.report().uncertified.boxes, 4 * 51);
   EXPECT_NEAR(rule.measure(), pi * 0.01, rule.report().uncertified.measure + 1e-6);
 }

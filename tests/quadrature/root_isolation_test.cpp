@@ -28,7 +28,8 @@ std::vector<double> roots_of(const std::vector<double>& coefficients, double low
   };
   std::vector<double> roots;
   IsolationBudget budget;
-  isolate_roots(function, slopes, low, high, 1e-13, [&](double t) { roots.push_back(t); }, budget);
+  isolate_roots(
+      function, slopes, low, high, 1e-13, [&](double t) { roots.push_back(t); }, budget);
   if (spent) *spent = budget;
   return roots;
 }
@@ -84,7 +85,8 @@ TEST(RootIsolation, SaysWhenItGivesUp) {
   const auto slopes = [](double, double) { return Interval(-1e6, 1e6); };
   IsolationBudget budget;
   int found = 0;
-  isolate_roots(function, slopes, 0.0, 1.0, 1e-13, [&](double) { ++found; }, budget);
+  isolate_roots(
+      function, slopes, 0.0, 1.0, 1e-13, [&](double) { ++found; }, budget);
   EXPECT_TRUE(budget.exhausted);
   EXPECT_LE(found, 600);
 }

@@ -117,8 +117,8 @@ TEST(Tessellation, BoundaryOnGridLinesAppearsOnce) {
 }
 
 TEST(Tessellation, ClosesInRotatedFrames) {
-  const Region region = region_of(y() - 0.05 - square(x() - 0.05), 2) &
-                        region_of(x() - 0.05 - square(y() - 0.05), 2);
+  const Region region =
+      region_of(y() - 0.05 - square(x() - 0.05), 2) & region_of(x() - 0.05 - square(y() - 0.05), 2);
   const Tessellation t = tessellation_of(region, grid(1.7, 16), 8);
   EXPECT_NEAR(area(t), 1.0 / 3, 2e-4);
   EXPECT_NEAR(boundary_length_and_area(t)[1], area(t), 1e-13);
@@ -128,8 +128,7 @@ TEST(Tessellation, ClosesInRotatedFrames) {
 TEST(Tessellation, InterfacesSeparateElements) {
   std::vector<LevelFunction> interfaces;
   interfaces.emplace_back(x() - 0.123 * y() - 0.05, 2);
-  const Tessellation t =
-      tessellate(RegionEvaluator(disk(0, 0, 1)), grid(1.1, 6), {}, interfaces);
+  const Tessellation t = tessellate(RegionEvaluator(disk(0, 0, 1)), grid(1.1, 6), {}, interfaces);
   for (int e = 0; e < t.elements.size(); ++e) {
     double low = 0, high = 0;
     for (const int v : t.elements.vertices(e)) {

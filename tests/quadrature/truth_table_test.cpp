@@ -66,8 +66,7 @@ TEST(TruthTable, OfAlwaysTrueIsConstant) {
 TEST(TruthTable, TakesTheOtherVariablesFromTheirSigns) {
   const BooleanExpression both = variable(0) & variable(1);
   const std::vector<int> only_first{0};
-  EXPECT_FALSE(
-      TruthTable(both, only_first, std::vector{Truth::unknown, Truth::yes}).constant());
+  EXPECT_FALSE(TruthTable(both, only_first, std::vector{Truth::unknown, Truth::yes}).constant());
   EXPECT_EQ(TruthTable(both, only_first, std::vector{Truth::unknown, Truth::no}).constant(), false);
 }
 

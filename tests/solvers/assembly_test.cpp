@@ -17,16 +17,17 @@ using Place = Contribution::Place;
 const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
 
 // Two components coupled in the volume and on the boundary, two undetermined functions of
-// different degrees (one on a part of the region only), derivatives of second order, normals, a restriction, inhomogeneous parts.
+// different degrees (one on a part of the region only), derivatives of second order, normals, a
+// restriction, inhomogeneous parts.
 struct CoupledProblem {
   Grid grid = triangle_grid(5);
   DomainRule rule = rule_for(triangle(), grid, 3);
   std::vector<TensorProductSpace> spaces{{grid, 2, cells_in_region(rule)},
                                          {grid, 3, cells_of_a_band()}};
-  std::vector<Structure> structures{
-      x * y + (1.0 + x) * Structure::undetermined(0),
-      sin(x) + y * Structure::undetermined(1) +
-          x * x * partial(Structure::undetermined(0), 1) + 0.5 * Structure::undetermined(0)};
+  std::vector<Structure> structures{x * y + (1.0 + x) * Structure::undetermined(0),
+                                    sin(x) + y* Structure::undetermined(1) +
+                                        x* x* partial(Structure::undetermined(0), 1) +
+                                        0.5 * Structure::undetermined(0)};
   std::vector<Contribution> contributions;
 
   // The second space leaves out splines inside the region.
@@ -69,7 +70,8 @@ struct CoupledProblem {
       Coefficient density;
       for (const auto& [row, column, coefficient] : energy.stiffness())
         density = density + (row == column ? 0.5 : 1.0) * coefficient * d(row) * d(column);
-      for (const auto& [slot, coefficient] : energy.load()) density = density - coefficient * d(slot);
+      for (const auto& [slot, coefficient] : energy.load())
+        density = density - coefficient * d(slot);
       if (contribution.where) density = density * Coefficient(step(*contribution.where));
       sum += integrate(density, rule, {contribution.place, contribution.numbers});
     }
@@ -120,9 +122,8 @@ TEST(Assembly, IsTheSameBitByBitForAnyNumberOfThreads) {
   const DomainRule rule = rule_for(circle({0, 0}, 1), grid, 2);
   const TensorProductSpace space(grid, 2, cells_in_region(rule));
   const Structure structure = exp(x) + (1.0 - x * x - y * y) * Structure::undetermined();
-  const Contribution contributions[] = {
-      {diffusion(2, 1.0 + x * x, sin(y), cos(x)), Place::volume},
-      {diffusion(2, 0.0, 3.0, x * y), Place::boundary}};
+  const Contribution contributions[] = {{diffusion(2, 1.0 + x * x, sin(y), cos(x)), Place::volume},
+                                        {diffusion(2, 0.0, 3.0, x * y), Place::boundary}};
   const auto assembled = [&](int threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     return assemble(std::span(&structure, 1), std::span(&space, 1), contributions, rule);
@@ -140,8 +141,8 @@ TEST(Assembly, DropsNothingWhenContributionsAreSplit) {
   Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(together.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(together.size(), together.size());
   for (const Contribution& contribution : problem.contributions) {
-    const LinearSystem part = assemble(problem.structures, problem.spaces,
-                                       std::span(&contribution, 1), problem.rule);
+    const LinearSystem part =
+        assemble(problem.structures, problem.spaces, std::span(&contribution, 1), problem.rule);
     right_hand_side += part.right_hand_side;
     matrix += Eigen::MatrixXd(part.matrix);
   }
@@ -187,8 +188,8 @@ TEST(Assembly, DoesNotLookWhereAContributionDoesNotCount) {
   const Structure structure = Structure::undetermined();
   const Contribution contribution{
       diffusion(1, 1.0, 1.0, 1.0 / sqrt(x - 1 / 3.)), Place::volume, {}, x - 1 / 3.};
-  const LinearSystem system = assemble(std::span(&structure, 1), std::span(&space, 1),
-                                       std::span(&contribution, 1), rule);
+  const LinearSystem system =
+      assemble(std::span(&structure, 1), std::span(&space, 1), std::span(&contribution, 1), rule);
   EXPECT_TRUE(system.right_hand_side.allFinite());
   EXPECT_EQ(system.matrix.coeff(0, 0), 0);  // the first spline lives left of 1/3 only
 }

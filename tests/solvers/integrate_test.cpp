@@ -42,10 +42,10 @@ TEST(Integrate, SelectsPiecesOfTheBoundary) {
   };
   using testing::DoubleNear, testing::ElementsAre;
   // Sides of a box: x−, x+, y−, y+.
-  EXPECT_THAT(on({0}), ElementsAre(DoubleNear(1, 1e-14), DoubleNear(0.5, 1e-14),
-                                   DoubleNear(-1, 1e-14)));
-  EXPECT_THAT(on({1, 3}), ElementsAre(DoubleNear(2, 1e-14), DoubleNear(1.5, 1e-14),
-                                      DoubleNear(1, 1e-14)));
+  EXPECT_THAT(on({0}),
+              ElementsAre(DoubleNear(1, 1e-14), DoubleNear(0.5, 1e-14), DoubleNear(-1, 1e-14)));
+  EXPECT_THAT(on({1, 3}),
+              ElementsAre(DoubleNear(2, 1e-14), DoubleNear(1.5, 1e-14), DoubleNear(1, 1e-14)));
   EXPECT_NEAR(on({})[0], 4, 1e-14);
 }
 

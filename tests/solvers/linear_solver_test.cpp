@@ -123,6 +123,21 @@ TEST_P(EveryMethod, DropsSplinesWithoutEnergyAndCountsThem) {
   EXPECT_NE(solution.coefficients[16], 0);
 }
 
+TEST(LinearSolver, ReportsTheResidualOfTheScaledSystem) {
+  LinearSolverOptions options;
+  options.method = LinearSolverOptions::Method::conjugate_gradient;
+  options.tolerance = 1e-4;
+  const LinearSystem system = laplacian(25);
+  const LinearSolution solution = solve(system, options);
+  // The diagonal is 4 throughout: scaling does not change relative residuals.
+  const Eigen::VectorXd residual =
+      system.right_hand_side -
+      system.matrix.selfadjointView<Eigen::Lower>() * solution.coefficients;
+  EXPECT_NEAR(solution.relative_residual, residual.norm() / system.right_hand_side.norm(), 1e-14);
+  EXPECT_GT(solution.relative_residual, 1e-6);
+  EXPECT_LT(solution.relative_residual, 1e-4);
+}
+
 TEST(LinearSolver, FallsBackToLdltForIndefiniteSystems) {
   const LinearSystem system = laplacian(12, -0.5);  // some eigenvalues are negative
   const LinearSolution solution = solve(system);
@@ -149,7 +164,21 @@ TEST(LinearSolver, ConjugateGradientsThatDoNotConvergeSaySo) {
   options.method = LinearSolverOptions::Method::conjugate_gradient;
   options.largest_iteration_count = 3;
   EXPECT_THAT([&] { solve(laplacian(20), options); },
-              ThrowsMessage<ComputationError>(HasSubstr("did not converge in 3 iterations")));
+              ThrowsMessage<ComputationError>(HasSubstr("did not converge after 3 iterations")));
+}
+
+TEST(LinearSolver, FactorisesWhereConjugateGradientsFail) {
+  LinearSolverOptions options;
+  options.dimension = 3;
+  options.largest_direct_3d = 100;
+  const LinearSystem system = laplacian(12, -0.5);
+  const LinearSolution solution = solve(system, options);
+  EXPECT_EQ(solution.method, LinearSolution::Method::ldlt);
+  EXPECT_GT(solution.iterations, 0);
+  EXPECT_LT(error_of(system, solution), 1e-11);
+  options.method = LinearSolverOptions::Method::conjugate_gradient;
+  EXPECT_THAT([&] { solve(system, options); },
+              ThrowsMessage<ComputationError>(HasSubstr("without positive energy")));
 }
 
 TEST(LinearSolver, NumbersThatAreNotFiniteAreRefused) {

@@ -36,8 +36,30 @@ TEST_P(OuterProducts, EqualTheSumWrittenOut) {
       for (int q = 0; q < points; ++q)
         sum += a[i + q * rows] * b[j + q * columns] + c[i + q * rows] * d[j + q * columns];
       EXPECT_EQ(full[i + j * rows], sum);
-      if (i >= j) { EXPECT_EQ(lower[i + j * rows], sum); }
+      if (i >= j) {
+        EXPECT_EQ(lower[i + j * rows], sum);
+      }
     }
+}
+
+TEST(LinearCombinations, AreFormedPointByPoint) {
+  const int length = padded(9), points = 3;
+  std::vector<double> a(length * points), b(length * points), result(length * points, 77);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = double(i);
+    b[i] = 100.0 - double(i * i);
+  }
+  const double alpha[] = {1, 2, -3}, beta[] = {5, 0, 7};
+  const std::vector<WeightedVectors> terms{{alpha, a.data()}, {beta, b.data()}};
+  linear_combinations(terms, points, length, result.data());
+  for (int q = 0; q < points; ++q)
+    for (int i = q * length; i < (q + 1) * length; ++i)
+      EXPECT_EQ(result[i], alpha[q] * a[i] + beta[q] * b[i]);
+
+  std::vector<double> sum(length, 1000);
+  add_weighted_sum(terms[0], points, length, sum.data());
+  for (int i = 0; i < length; ++i)
+    EXPECT_EQ(sum[i], 1000 + a[i] + 2 * a[i + length] - 3 * a[i + 2 * length]);
 }
 
 }  // namespace

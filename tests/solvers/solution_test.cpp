@@ -22,8 +22,8 @@ TEST(Solution, PutsTheUndeterminedFunctionsIntoTheStructure) {
       Structure::undetermined(1) - 2.0 * Structure::undetermined(0)};
   const std::vector<Field> u = solution_fields(structures, spaces, coefficients);
   ASSERT_EQ(u.size(), 2u);
-  EXPECT_DOUBLE_EQ(value_at(u[0], {0.5}), 0.5 + 0.25 * 2 + 2);     // Ψ0(½) = 2, slope 2
-  EXPECT_DOUBLE_EQ(value_at(u[0], {1.5}), 1.5 + 2.25 * 2.5 - 1);   // Ψ0 = 2.5, slope −1
+  EXPECT_DOUBLE_EQ(value_at(u[0], {0.5}), 0.5 + 0.25 * 2 + 2);    // Ψ0(½) = 2, slope 2
+  EXPECT_DOUBLE_EQ(value_at(u[0], {1.5}), 1.5 + 2.25 * 2.5 - 1);  // Ψ0 = 2.5, slope −1
   EXPECT_DOUBLE_EQ(value_at(u[1], {1.5}), 5 - 2 * 2.5);
   // It is a field: ∂u₀/∂x = 1 + 2x Ψ0 + x² Ψ0′ inside a cell.
   EXPECT_DOUBLE_EQ(value_at(partial(u[0], 0), {0.5}), 1 + 2 + 0.25 * 2);

@@ -20,9 +20,7 @@ INSTANTIATE_TEST_SUITE_P(StencilMatrix, EveryStencil,
                                          Sample{2, 3, 2}, Sample{2, 1, 4}, Sample{3, 1, 2},
                                          Sample{3, 2, 1}));
 
-Grid sample_grid(int dimension) {
-  return Grid({dimension, {0, 0, 0}, {1, 1, 1}}, {5, 4, 3});
-}
+Grid sample_grid(int dimension) { return Grid({dimension, {0, 0, 0}, {1, 1, 1}}, {5, 4, 3}); }
 
 TEST_P(EveryStencil, IsTheSumOfItsCellMatrices) {
   const auto [dimension, first_degree, second_degree] = GetParam();
@@ -32,8 +30,8 @@ TEST_P(EveryStencil, IsTheSumOfItsCellMatrices) {
   const std::vector<TensorProductSpace> spaces{{grid, first_degree, cells},
                                                {grid, second_degree, cells}};
   StencilMatrix stencil(spaces, {true, false, true, true});
-  ASSERT_THAT(stencil.offsets(), testing::ElementsAre(0, spaces[0].size(),
-                                                      spaces[0].size() + spaces[1].size()));
+  ASSERT_THAT(stencil.offsets(),
+              testing::ElementsAre(0, spaces[0].size(), spaces[0].size() + spaces[1].size()));
   const int size = stencil.offsets().back();
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
   std::mt19937 generator(4);
@@ -63,7 +61,9 @@ TEST_P(EveryStencil, IsTheSumOfItsCellMatrices) {
     Eigen::Index previous = column - 1;  // rows ascend from the diagonal on
     for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
       EXPECT_GT(entry.row(), previous);
-      if (previous < column) { EXPECT_EQ(entry.row(), column); }
+      if (previous < column) {
+        EXPECT_EQ(entry.row(), column);
+      }
       previous = entry.row();
     }
   }

@@ -1,0 +1,185 @@
+// The curves of the base plane along which breakpoints of sections move, and the choice of the
+// inner axis over which they are graphs.
+
+#include <algorithm>
+#include <cmath>
+
+#include "quadrature/reduction_3d.hpp"
+
+namespace rfm {
+
+// The curves of the base plane; false if a surface turns out to have one sign.
+bool Reduction3D::find_curves() {
+  curves_.clear();
+  bool all_change_sign = true;
+  for (int i = 0; i < active_->count; ++i) {
+    if (is_vertical(i)) {
+      Curve curve;
+      curve.gradient = bounds_[i].gradient;
+      curve.first = i;
+      curve.is_vertical = true;
+      curves_.push_back(curve);
+      continue;
+    }
+    std::array<Truth, 2> signs;
+    for (int end = 0; end < 2; ++end) {
+      Box face = box_;
+      face.low[height_] = face.high[height_] = end == 0 ? box_.low[height_] : box_.high[height_];
+      FunctionBounds& trace = traces_[i][end];
+      trace = active_->surfaces[i]->bounds(face);
+      signs[end] = trace.value.low >= 0   ? Truth::yes
+                   : trace.value.high < 0 ? Truth::no
+                                          : Truth::unknown;
+      if (signs[end] != Truth::unknown) continue;
+      Curve curve;
+      curve.gradient = trace.gradient;
+      curve.first = i;
+      curve.second = end;
+      curves_.push_back(curve);
+    }
+    if (signs[0] != Truth::unknown && signs[0] == signs[1]) {
+      constant_surface_ = i;
+      constant_sign_ = signs[0] == Truth::yes;
+      all_change_sign = false;
+    }
+  }
+  if (all_change_sign) {
+    narrow_graphs();
+    add_crossing_curves();
+  }
+  return all_change_sign;
+}
+
+// The heights of a graph by an interval Newton step from its height at the centre: for a root (p,
+// z) of w, 0 = w(c) + Σ ∂w (p − c) + ∂w/∂z (z − z_c) with derivatives somewhere in the box. A tall
+// box would otherwise spoil the bounds of crossing curves, and no bisection of the base would mend
+// them.
+void Reduction3D::narrow_graphs() {
+  for (int i = 0; i < active_->count; ++i) {
+    if (is_vertical(i)) continue;
+    const auto& gradient = bounds_[i].gradient;
+    const LineSegment line{box_.center(), height_, box_.low[height_], box_.high[height_]};
+    const double height = find_crossing(*active_->surfaces[i], line).position;
+    Interval change = active_->surfaces[i]->value(line.at(height));
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis != height_)
+        change =
+            change + gradient[axis] * Interval(-0.5 * box_.length(axis), 0.5 * box_.length(axis));
+    ranges_[i] =
+        intersection(Interval(height) - change / gradient[height_], box_.interval(height_));
+    Box narrow = box_;
+    narrow.low[height_] = std::max(ranges_[i].low, box_.low[height_]);
+    narrow.high[height_] = std::min(ranges_[i].high, box_.high[height_]);
+    narrow_[i] = bounds_[i];
+    if (narrow.length(height_) < 0.7 * box_.length(height_) && narrow.length(height_) >= 0)
+      narrow_[i] = active_->surfaces[i]->bounds(narrow);
+  }
+}
+
+void Reduction3D::add_crossing_curves() {
+  for (int i = 0; i < active_->count; ++i)
+    for (int j = i + 1; j < active_->count; ++j) {
+      if (is_vertical(i) || is_vertical(j) || proven_apart(i, j) || coincide(i, j)) continue;
+      const auto &p = narrow_[i].gradient, &q = narrow_[j].gradient;
+      Curve curve;
+      // ∇(h_i − h_j) times the product of the height derivatives.
+      for (int axis = 0; axis < 3; ++axis)
+        if (axis != height_) curve.gradient[axis] = q[axis] * p[height_] - q[height_] * p[axis];
+      curve.first = i;
+      curve.second = j;
+      curve.is_crossing = true;
+      curves_.push_back(curve);
+    }
+}
+
+// Different heights everywhere: by ranges, or by the mean value form of the difference of heights
+// about the centre, in which parallel slopes cancel.
+bool Reduction3D::proven_apart(int first, int second) const {
+  if (ranges_[first].high < ranges_[second].low || ranges_[second].high < ranges_[first].low)
+    return true;
+  const LineSegment line{box_.center(), height_, box_.low[height_], box_.high[height_]};
+  std::array<std::array<Interval, 3>, 2> gradients;
+  Interval difference = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    const int i = k == 0 ? first : second;
+    const Crossing center = find_crossing(*active_->surfaces[i], line);
+    // Where the graph does not exist, the way to it leaves its range of heights.
+    gradients[k] = center.exists ? narrow_[i].gradient : bounds_[i].gradient;
+    if (!gradients[k][height_].excludes_zero()) return false;
+    const Interval height =
+        Interval(center.position) -
+        Interval(active_->surfaces[i]->value(line.at(center.position))) / gradients[k][height_];
+    difference = k == 0 ? height : difference - height;
+  }
+  const auto &p = gradients[0], &q = gradients[1];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == height_) continue;
+    const double radius = 0.5 * box_.length(axis);
+    difference =
+        difference + (q[axis] / q[height_] - p[axis] / p[height_]) * Interval(-radius, radius);
+  }
+  return difference.excludes_zero();
+}
+
+// Whether two graphs are one, up to rounding: they have no crossing curve, and a box bisected in
+// search of one would never be accepted.
+bool Reduction3D::coincide(int first, int second) const {
+  constexpr double reach = 0.4;
+  const double same = 1e-13 * box_.length(height_);
+  const int a = (height_ + 1) % 3, b = (height_ + 2) % 3;
+  int both = 0;
+  for (const auto& [u, v] :
+       {std::array{0.0, 0.0}, std::array{-reach, -reach}, std::array{-reach, reach},
+        std::array{reach, -reach}, std::array{reach, reach}}) {
+    LineSegment line{box_.center(), height_, box_.low[height_], box_.high[height_]};
+    line.through[a] += u * box_.length(a);
+    line.through[b] += v * box_.length(b);
+    const Crossing p = find_crossing(*active_->surfaces[first], line);
+    const Crossing q = find_crossing(*active_->surfaces[second], line);
+    if (!p.exists && !q.exists) continue;
+    if (p.exists != q.exists || std::fabs(p.position - q.position) > same) return false;
+    ++both;
+  }
+  return both >= 3;
+}
+
+// The inner axis over which all curves are graphs, or on which they do not depend.
+bool Reduction3D::choose_inner(const Options& options) {
+  const auto middle = [](const Interval& interval) {
+    const double value = std::fabs(interval.middle());
+    return std::isfinite(value) ? value : 0.0;
+  };
+  int proven = -1, likely = -1;
+  double best = -1, nearest = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == height_) continue;
+    const int other = 3 - height_ - axis;
+    bool serves = true;
+    double score = 1, guess = 1;
+    for (const Curve& curve : curves_) {
+      const Interval &along = curve.gradient[axis], &across = curve.gradient[other];
+      if (along.is_zero()) continue;
+      const double change = middle(along) * box_.length(axis);
+      const double total = change + middle(across) * box_.length(other) + 1e-300;
+      guess = std::min(guess, change / total);
+      if (options.allow_contacts && curve.is_crossing && !along.excludes_zero() &&
+          !across.excludes_zero())
+        continue;
+      serves &= along.excludes_zero() && along.mignitude() >= options.flatness * across.magnitude();
+      score = std::min(score, along.mignitude() * box_.length(axis) / total);
+    }
+    if (serves && score > best) {
+      best = score;
+      proven = axis;
+    }
+    if (guess > nearest) {
+      nearest = guess;
+      likely = axis;
+    }
+  }
+  if (proven < 0 && !options.best_effort) return false;
+  inner_ = proven >= 0 ? proven : likely;
+  return true;
+}
+
+}  // namespace rfm

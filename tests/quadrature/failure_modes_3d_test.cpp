@@ -1,0 +1,164 @@
+// Situations in space in which surfaces touch, meet in many or in singular points.
+
+#include <gmock/gmock.h>
+
+#include "quadrature/domain_rule.hpp"
+#include "tests/quadrature/regions.hpp"
+
+using namespace rfm;
+using namespace rfm::test;
+
+namespace {
+
+Region solid(const Field& level) { return region_of(level, 3); }
+
+struct Errors {
+  double volume;
+  double area;
+  QuadratureReport report;
+};
+
+Errors errors(const Region& region, double volume, double area, int cells, int points) {
+  QuadratureOptions options;
+  options.inside_points = options.cut_points = points;
+  const DomainRule rule = make_domain_rule(RegionEvaluator(region), grid(1.7, cells, 3), options);
+  return {std::fabs(rule.measure() / volume - 1), std::fabs(rule.boundary_measure() / area - 1),
+          rule.report()};
+}
+
+TEST(FailureModes3D, FilletTangentToPlanesAlongLines) {
+  // A slab |z| ≤ 1/2 with a half-round end: the cylinder touches both planes along lines.
+  const Region band = solid(1 - square(y()));
+  const Region region =
+      (solid(0.5 - z()) & solid(0.5 + z()) & solid(0.8 - x()) & solid(0.8 + x()) & band) |
+      (solid(0.25 - square(x() - 0.8) - square(z())) & band);
+  // Two flanks, two planes, the round and the straight end.
+  const double volume = 3.2 + pi / 4, area = 2 * (1.6 + pi / 8) + 2 * 3.2 + pi + 2;
+  const Errors error = errors(region, volume, area, 8, 10);
+  EXPECT_LT(error.volume, 1e-11);
+  EXPECT_LT(error.area, 1e-9);
+  EXPECT_EQ(error.report.uncertified.boxes, 0);
+}
+
+TEST(FailureModes3D, CylindersTangentAlongALine) {
+  const Region region =
+      (solid(1 - square(x()) - square(y())) -
+       solid(0.25 - square(x() - 0.5 * std::cos(0.4)) - square(y() - 0.5 * std::sin(0.4)))) &
+      solid(1 - z()) & solid(1 + z());
+  const double volume = 1.5 * pi, area = 6 * pi + 1.5 * pi;
+  const Errors coarse = errors(region, volume, area, 8, 8);
+  EXPECT_LT(coarse.volume, 1e-6);
+  EXPECT_LT(coarse.area, 1e-5);
+  const Errors fine = errors(region, volume, area, 24, 8);
+  EXPECT_LT(fine.volume, 1e-12);
+  EXPECT_LT(fine.area, 1e-10);
+  EXPECT_EQ(fine.report.uncertified.boxes, 0);
+}
+
+TEST(FailureModes3D, PlaneTangentToATorusAlongACircle) {
+  // The plane cuts nothing off: volume and area are those of the torus.
+  const Region torus =
+      solid(0.16 - square(sqrt(square(x()) + square(y())) - 1) - square(z() - 0.02));
+  const Errors error = errors(torus & solid(0.42 - z()), 0.32 * pi * pi, 1.6 * pi * pi, 8, 6);
+  EXPECT_LT(error.volume, 1e-7);
+  EXPECT_LT(error.area, 1e-6);
+  EXPECT_LT(error.report.uncertified.measure, 0.01);
+}
+
+TEST(FailureModes3D, BallsTangentInOnePoint) {
+  const Region region = solid(1 - square(x()) - square(y()) - square(z())) -
+                        solid(0.25 - square(x() - 0.3) - square(y() - 0.4 * std::cos(0.3)) -
+                              square(z() - 0.4 * std::sin(0.3)));
+  const Errors error = errors(region, 4 * pi / 3 * 0.875, 5 * pi, 8, 8);
+  EXPECT_LT(error.volume, 1e-8);
+  EXPECT_LT(error.area, 1e-6);
+  EXPECT_LT(error.report.uncertified.measure, 1e-3);
+}
+
+TEST(FailureModes3D, ApexOfAConeOnTheBoundary) {
+  const Field r = square(x() - 0.03) + square(y() - 0.02);
+  const double area = pi + pi * std::sqrt(2.0);
+  const Errors root = errors(solid(z() - sqrt(r)) & solid(1 - z()), pi / 3, area, 8, 8);
+  EXPECT_LT(root.volume, 1e-8);
+  EXPECT_LT(root.area, 1e-5);
+  EXPECT_GT(root.report.uncertified.boxes, 0);
+  EXPECT_LT(root.report.uncertified.measure, 1e-4);
+  const Errors quadric =
+      errors(solid(square(z()) - r) & solid(1 - z()) & solid(z()), pi / 3, area, 8, 8);
+  EXPECT_LT(quadric.volume, 1e-8);
+  EXPECT_LT(quadric.area, 1e-5);
+}
+
+TEST(FailureModes3D, FourFacesInEachVertexOfAnOctahedron) {
+  // Vertices on grid planes, where neighbouring cells share them.
+  Region octahedron = solid(1 - x() - y() - z());
+  for (int k = 1; k < 8; ++k)
+    octahedron = octahedron & solid(1 - (k & 1 ? -1 : 1) * x() - (k & 2 ? -1 : 1) * y() -
+                                    (k & 4 ? -1 : 1) * z());
+  for (const int cells : {3, 4}) {
+    const Errors error = errors(octahedron, 4.0 / 3, 4 * std::sqrt(3.0), cells, 2);
+    EXPECT_LT(error.volume, 1e-13);
+    EXPECT_LT(error.area, 1e-13);
+    EXPECT_LT(error.report.divergence_defect, 1e-13);
+  }
+}
+
+TEST(FailureModes3D, CoincidentSurfacesAndComplementsLeaveNoCrack) {
+  const Field f = 1 - square(x()) - square(y()) - square(z());
+  const Field plane = z() - 0.1 - 0.3 * x();
+  const Region ball = solid(f) & solid(3 * f);
+  const Region region = (ball & solid(plane)) | (ball & solid(-2 * plane));
+  const Errors error = errors(region, 4 * pi / 3, 4 * pi, 8, 10);
+  EXPECT_LT(error.volume, 1e-11);
+  EXPECT_LT(error.area, 1e-9);
+}
+
+TEST(FailureModes3D, EdgesThroughFacesOfCoarseCellsStayCheap) {
+  // The edges leave cells where the traces of the two surfaces are graphs over different axes.
+  const Region region = solid(1 - square(x() - 0.1) - square(y()) - square(z() - 0.03)) &
+                        solid(0.8 - square(y()) - square(z()));
+  for (const int cells : {3, 5, 6}) {
+    QuadratureOptions options;
+    options.inside_points = options.cut_points = 4;
+    const DomainRule rule = make_domain_rule(RegionEvaluator(region), grid(1.3, cells, 3), options);
+    EXPECT_EQ(rule.report().uncertified.boxes, 0);
+    EXPECT_LT(rule.cut_points().size() / rule.report().cut_cells, 40 * 64);
+  }
+}
+
+TEST(FailureModes3D, MeasuresHoldForEveryPositionOfTheGrid) {
+  // A block with a cylindrical bore and a spherical dent, turned and moved.
+  for (int k = 0; k < 12; ++k) {
+    const double t = 0.53 * k, c = std::cos(t), s = std::sin(t), d = std::cos(0.7 * t),
+                 e = std::sin(0.7 * t);
+    const Field u = c * x() + s * y() - 0.013 * k, m = c * y() - s * x();
+    const Field v = d * m + e * z() + 0.007 * k, w = d * z() - e * m;
+    const Region block = solid(0.8 - u) & solid(0.8 + u) & solid(0.6 - v) & solid(0.6 + v) &
+                         solid(0.5 - w) & solid(0.5 + w);
+    const Region region = block - solid(0.09 - square(u + 0.3) - square(v)) -
+                          solid(0.09 - square(u - 0.4) - square(v) - square(w - 0.5));
+    const double volume = 1.6 * 1.2 - 0.09 * pi - 2 * pi / 3 * 0.027;
+    const double area =
+        2 * (1.6 * 1.2 + 1.6 + 1.2) - 2 * 0.09 * pi + 0.6 * pi - 0.09 * pi + 2 * pi * 0.09;
+    const Errors error = errors(region, volume, area, 14, 6);
+    EXPECT_LT(error.volume, 1e-7) << k;
+    EXPECT_LT(error.area, 1e-5) << k;
+    EXPECT_LT(error.report.divergence_defect, 5e-6) << k;
+    EXPECT_LT(error.report.uncertified.measure, 1e-3) << k;
+  }
+}
+
+TEST(FailureModes3D, ThinPlates) {
+  for (const double width : {2e-3, 2e-6, 2e-10}) {
+    const double w = width / 2;
+    const Field across = (2 * x() - y() + 2 * z()) / 3;
+    const Region plate =
+        solid(1 - square(x()) - square(y()) - square(z())) & solid(w - across) & solid(w + across);
+    const double volume = 2 * pi * (w - w * w * w / 3), area = 2 * pi * (1 - w * w) + 4 * pi * w;
+    const Errors error = errors(plate, volume, area, 8, 10);
+    EXPECT_LT(error.volume, 1e-8);
+    EXPECT_LT(error.area, 1e-8);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,92 @@
+#include "quadrature/line_roots.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numeric>
+
+#include "tests/quadrature/regions.hpp"
+
+using namespace rfm;
+using namespace rfm::test;
+
+namespace {
+
+// The parts inside and the crossings of the line y = 0, −1 ≤ x ≤ 1.
+struct Walk {
+  std::vector<std::array<double, 2>> parts;
+  std::vector<std::pair<double, int>> crossings;
+};
+
+Walk walk(const BooleanExpression& expression, const std::vector<Field>& fields,
+          const std::vector<Field>& interface_fields = {}) {
+  std::vector<LevelFunction> levels;
+  for (const Field& f : fields) levels.emplace_back(f, 2);
+  for (const Field& f : interface_fields) levels.emplace_back(f, 2);
+  std::vector<Surface> surfaces;
+  for (const LevelFunction& level : levels) surfaces.emplace_back(level);
+  std::vector<int> numbers(fields.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  ActiveSet active;
+  active.table = TruthTable(expression, numbers, std::vector<Truth>(fields.size(), Truth::unknown));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) active.add(surfaces[i], static_cast<int>(i));
+  const LineSegment line{{}, 0, -1, 1};
+  Walk result;
+  walk_line(
+      active, find_line_roots(active, 0, line), line,
+      [&](const LineEnd& from, const LineEnd& to) {
+        result.parts.push_back({from.position, to.position});
+      },
+      [&](const LineCrossing& crossing) {
+        result.crossings.emplace_back(crossing.position, crossing.surface);
+      });
+  return result;
+}
+
+BooleanExpression v(int number) { return BooleanExpression::variable(number); }
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+TEST(LineRoots, PartsLieBetweenCrossings) {
+  const Walk w = walk(v(0) & v(1), {x() + 0.5, 0.25 - x()});
+  EXPECT_THAT(w.parts, ElementsAre(std::array{-0.5, 0.25}));
+  EXPECT_THAT(w.crossings, ElementsAre(Pair(-0.5, 0), Pair(0.25, 1)));
+}
+
+TEST(LineRoots, SurfacesInsideAnotherPartDoNotBreakIt) {
+  const Walk w = walk(v(0) | v(1), {x() + 0.5, x() - 0.25});
+  EXPECT_THAT(w.parts, ElementsAre(std::array{-0.5, 1.0}));
+  EXPECT_THAT(w.crossings, ElementsAre(Pair(-0.5, 0)));
+}
+
+TEST(LineRoots, AFunctionAndItsNegativeLeaveNoCrack) {
+  const Walk w = walk(v(0) | v(1), {x() - 0.1, 3 * (0.1 - x())});
+  EXPECT_THAT(w.parts, ElementsAre(std::array{-1.0, 1.0}));
+  EXPECT_THAT(w.crossings, IsEmpty());
+}
+
+TEST(LineRoots, CoincidentSurfacesAreOneCrossing) {
+  const Walk w = walk(v(0) & v(1) & v(2), {0.3 - x(), 2 * (0.3 - x()), (0.3 - x()) / 7});
+  EXPECT_THAT(w.parts.size(), 1u);
+  EXPECT_THAT(w.crossings.size(), 1u);
+}
+
+TEST(LineRoots, AFaceAtAnEndBelongsToTheSideWhereItIsZero) {
+  // sign(0) = +. Inside is x ≤ −1: the line meets the region in its low end alone.
+  const Walk low = walk(v(0), {-1 - x()});
+  EXPECT_THAT(low.parts, IsEmpty());
+  EXPECT_THAT(low.crossings, ElementsAre(Pair(-1.0, 0)));
+  // Inside is x ≤ 1: the whole line is inside, its high end is no crossing.
+  const Walk high = walk(v(0), {1 - x()});
+  EXPECT_THAT(high.parts, ElementsAre(std::array{-1.0, 1.0}));
+  EXPECT_THAT(high.crossings, IsEmpty());
+}
+
+TEST(LineRoots, InterfacesBreakPartsInsideOnly) {
+  const Walk w = walk(v(0), {x()}, {x() - 0.5, x() + 0.5});
+  EXPECT_THAT(w.parts, ElementsAre(std::array{0.0, 0.5}, std::array{0.5, 1.0}));
+  EXPECT_THAT(w.crossings, ElementsAre(Pair(0.0, 0), Pair(0.5, 1)));
+}
+
+}  // namespace
