@@ -24,6 +24,9 @@ Grid::Grid(const Box& box, std::array<int, 3> cells) : box_(box), cells_(cells) 
 }
 
 Grid Grid::with_square_cells(const Box& box, int cells_along_longest) {
+  if (cells_along_longest < 1)
+    throw InvalidArgument("a grid needs at least one cell along each axis, got " +
+                          std::to_string(cells_along_longest));
   const double side = box.longest_side() / cells_along_longest;
   // A side that is a whole number of cells up to rounding must not get one cell more.
   constexpr double rounding = 1e-9;

@@ -15,7 +15,7 @@ class Grid {
 
   /// The rule of problem files: `cells_along_longest` cells of side h along the longest side, and
   /// ceil(side / h) along the others, the grid centred on `box` (so it may exceed the shorter
-  /// sides).
+  /// sides). Throws `InvalidArgument` as above.
   static Grid with_square_cells(const Box& box, int cells_along_longest);
 
   int dimension() const { return box_.dimension; }

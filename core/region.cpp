@@ -72,8 +72,10 @@ bool RegionEvaluator::contains(const Point& point, double tolerance) const {
     }
     Point gradient;
     const double value = levels_[k].value_and_gradient(point, gradient);
-    const double margin = tolerance * std::hypot(gradient[0], gradient[1], gradient[2]);
-    signs[k] = value > margin ? Truth::yes : value < -margin ? Truth::no : Truth::unknown;
+    double margin = tolerance * std::hypot(gradient[0], gradient[1], gradient[2]);
+    if (!std::isfinite(margin)) margin = 0;
+    // Where the function is undefined the point is outside.
+    signs[k] = value > margin ? Truth::yes : value >= -margin ? Truth::unknown : Truth::no;
   }
   return region_.expression().evaluate(signs) != Truth::no;
 }

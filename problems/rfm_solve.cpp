@@ -49,6 +49,10 @@ std::string result_folder(const rfm::CommandLine& command, const std::string& fi
 
 int solve_all(const rfm::CommandLine& command) {
   rfm::clean_up_on_interrupt();
+  if (command.picture) {
+    std::fputs("rfm-solve: --picture is not supported yet\n", stderr);
+    return wrong_input;
+  }
   int status = solved;
   for (const std::string& file : command.files) {
     rfm::RunOptions options;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "problems/partial_coverage.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/stopwatch.hpp"
 #include "solution_structures/dirichlet.hpp"
@@ -91,12 +92,13 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   QuadratureOptions coarse;
   coarse.inside_points = 1;
   coarse.cut_points = 2;
-  const DomainRule probe = make_domain_rule(region_, grid(), coarse);
+  const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_);
   if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
   for (int k = 0; k < region_.primitive_count(); ++k)
     if (probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_);
+  check_parts(problem, region_, bounding_primitives_, probe);
   std::vector<bool> regular;
   for (const PieceCondition& condition : conditions_)
     regular.push_back(condition.kind != Condition::Kind::value ||

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
 
 namespace rfm {
@@ -111,10 +112,18 @@ void IntegrandValues::require_finite(const IntegrandPoints& points, int number) 
   int q = 0;
   while (std::isfinite(values[q])) ++q;
   std::string place;
-  for (int axis = 0; axis < integrand_.tape().dimension(); ++axis)
-    place += fmt::format("{}{:.10g}", axis == 0 ? "" : ", ", points.coordinates[axis][q]);
-  throw ComputationError(fmt::format("{} is {} at the point ({})",
-                                     integrand_.scalars()[number].name, values[q], place));
+  Point point{};
+  for (int axis = 0; axis < integrand_.tape().dimension(); ++axis) {
+    point[axis] = points.coordinates[axis][q];
+    place += fmt::format("{}{:.10g}", axis == 0 ? "" : ", ", point[axis]);
+  }
+  const auto& failing = integrand_.scalars()[number];
+  std::string cause;
+  if (failing.root >= 0)
+    cause = diagnose(integrand_.tape().roots()[failing.root], point, integrand_.tape().dimension());
+  throw ComputationError(fmt::format("{} is {} at the point ({}){}", failing.name,
+                                     std::isnan(values[q]) ? "not a number" : "infinite", place,
+                                     cause.empty() ? "" : ": " + cause));
 }
 
 // w Σ n^α f_α.

@@ -64,6 +64,24 @@ void add_part(const Part& part, int rows, int columns, bool lower, double* resul
   }
 }
 
+// A number of terms known at compilation, which most integrands have.
+template <int terms>
+void combine(std::span<const WeightedVectors> list, int points, int length, double* result) {
+  const double* vectors[terms];
+  for (int t = 0; t < terms; ++t) vectors[t] = list[t].vectors;
+  for (int q = 0; q < points; ++q) {
+    SimdVector weights[terms];
+    for (int t = 0; t < terms; ++t) weights[t] = list[t].weights[q];
+    const std::ptrdiff_t begin = std::ptrdiff_t(q) * length;
+    for (std::ptrdiff_t i = begin; i < begin + length; i += lanes) {
+      SimdVector sum = weights[0] * SimdVector(vectors[0] + i, element_aligned);
+      for (int t = 1; t < terms; ++t)
+        sum += weights[t] * SimdVector(vectors[t] + i, element_aligned);
+      sum.copy_to(result + i, element_aligned);
+    }
+  }
+}
+
 }  // namespace
 
 void outer_products(std::span<const VectorPair> pairs, int points, int rows, int columns,
@@ -81,13 +99,21 @@ void outer_products(std::span<const VectorPair> pairs, int points, int rows, int
 
 void linear_combinations(std::span<const WeightedVectors> terms, int points, int length,
                          double* result) {
-  for (int q = 0; q < points; ++q)
-    for (int i = 0; i < length; i += lanes, result += lanes) {
-      SimdVector sum = 0;
-      for (const auto& [weights, vectors] : terms)
-        sum += weights[q] * SimdVector(vectors + std::ptrdiff_t(q) * length + i, element_aligned);
-      sum.copy_to(result, element_aligned);
-    }
+  switch (terms.size()) {
+    case 1:
+      return combine<1>(terms, points, length, result);
+    case 2:
+      return combine<2>(terms, points, length, result);
+    case 3:
+      return combine<3>(terms, points, length, result);
+    default:
+      break;
+  }
+  std::fill_n(result, std::ptrdiff_t(points) * length, 0.0);
+  for (const auto& [weights, vectors] : terms)
+    for (std::ptrdiff_t q = 0; q < points; ++q)
+      for (std::ptrdiff_t i = q * length; i < (q + 1) * length; ++i)
+        result[i] += weights[q] * vectors[i];
 }
 
 void add_weighted_sum(const WeightedVectors& term, int points, int length, double* result) {

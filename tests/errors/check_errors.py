@@ -33,14 +33,8 @@ def expectation(path):
 
 
 def reported(lines, name):
-    """The first line of each mistake, without the name of the file."""
-    found = []
-    for line in lines:
-        if line.startswith(name + ":"):
-            found.append(line[len(name) + 1:])
-        elif line.startswith("--set"):
-            found.append(line)
-    return found
+    """The first line of each mistake, without the name of the file: all that is not indented."""
+    return [line.removeprefix(name + ":") for line in lines if line and not line.startswith(" ")]
 
 
 def complaints(program, path):

@@ -42,24 +42,36 @@ TEST_P(OuterProducts, EqualTheSumWrittenOut) {
     }
 }
 
-TEST(LinearCombinations, AreFormedPointByPoint) {
-  const int length = padded(9), points = 3;
-  std::vector<double> a(length * points), b(length * points), result(length * points, 77);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    a[i] = double(i);
-    b[i] = 100.0 - double(i * i);
+class LinearCombinations : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(NumbersOfTerms, LinearCombinations, testing::Range(1, 6));
+
+TEST_P(LinearCombinations, AreFormedPointByPoint) {
+  const int count = GetParam(), length = padded(9), points = 3;
+  std::vector<std::vector<double>> weights(count), vectors(count);
+  std::vector<WeightedVectors> terms;
+  for (int t = 0; t < count; ++t) {
+    weights[t] = {1.0 + t, 2.0 - 3 * t, 5.0 * t};
+    for (int i = 0; i < length * points; ++i) vectors[t].push_back((i * (t + 3)) % 17);
+    terms.push_back({weights[t].data(), vectors[t].data()});
   }
-  const double alpha[] = {1, 2, -3}, beta[] = {5, 0, 7};
-  const std::vector<WeightedVectors> terms{{alpha, a.data()}, {beta, b.data()}};
+  std::vector<double> result(length * points, 77);
   linear_combinations(terms, points, length, result.data());
   for (int q = 0; q < points; ++q)
-    for (int i = q * length; i < (q + 1) * length; ++i)
-      EXPECT_EQ(result[i], alpha[q] * a[i] + beta[q] * b[i]);
+    for (int i = q * length; i < (q + 1) * length; ++i) {
+      double expected = 0;
+      for (int t = 0; t < count; ++t) expected += weights[t][q] * vectors[t][i];
+      EXPECT_EQ(result[i], expected);
+    }
+}
 
-  std::vector<double> sum(length, 1000);
-  add_weighted_sum(terms[0], points, length, sum.data());
+TEST(AddWeightedSum, AddsOverPoints) {
+  const int length = padded(5);
+  std::vector<double> vectors(length * 3), sum(length, 1000);
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = double(i * i);
+  const double weights[] = {1, 2, -3};
+  add_weighted_sum({weights, vectors.data()}, 3, length, sum.data());
   for (int i = 0; i < length; ++i)
-    EXPECT_EQ(sum[i], 1000 + a[i] + 2 * a[i + length] - 3 * a[i + 2 * length]);
+    EXPECT_EQ(sum[i], 1000 + vectors[i] + 2 * vectors[i + length] - 3 * vectors[i + 2 * length]);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST_P(PatchTest, NitschesMethodReproducesPolynomials) {
   const int degree = GetParam();
   const Field exact = polynomial(degree);
   const DomainRule rule = rule_for(triangle(), triangle_grid(), degree);
-  EXPECT_LT(norms(nitsche_solution(exact, degree, rule) - exact, rule).l2, 2e-11);
+  EXPECT_LT(norms(nitsche_solution(exact, degree, rule) - exact, rule).l2, 1e-10);
 }
 
 TEST(PatchTest, NitschesMethodReproducesPolynomialsInSpace) {
@@ -134,7 +134,7 @@ TEST(PatchTest, NitschesMethodReproducesPolynomialsInSpace) {
   const Grid grid({3, {-0.07, -0.02, -0.05}, {1.03, 1.09, 1.04}}, {4, 3, 4});
   const Field exact = pow(x + 0.3 * y - 0.6 * z, 2) + x - 2.0 * y * z + 0.5;
   const DomainRule rule = rule_for(region, grid, 2);
-  EXPECT_LT(norms(nitsche_solution(exact, 2, rule) - exact, rule).l2, 2e-11);
+  EXPECT_LT(norms(nitsche_solution(exact, 2, rule) - exact, rule).l2, 1e-10);
 }
 
 TEST(Poisson, RobinConditionsHoldOnTheirPieceOnly) {
