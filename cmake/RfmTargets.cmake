@@ -46,5 +46,6 @@ function(rfm_unit_tests name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(rfm_${name}_tests ${ARG_SOURCES})
   target_link_libraries(rfm_${name}_tests PRIVATE ${ARG_LINKS} rfm_warnings GTest::gmock_main)
-  gtest_discover_tests(rfm_${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(rfm_${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS unit)
 endfunction()

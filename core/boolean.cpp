@@ -46,8 +46,8 @@ int BooleanExpression::variable_count() const {
 
 namespace {
 
-void evaluate_nodes(const std::vector<BooleanExpression::Node>& nodes,
-                    std::span<const Truth> signs, Truth* values) {
+void evaluate_nodes(const std::vector<BooleanExpression::Node>& nodes, std::span<const Truth> signs,
+                    Truth* values) {
   using Kind = BooleanExpression::Kind;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto& node = nodes[i];
@@ -226,8 +226,8 @@ BooleanExpression operator!(const BooleanExpression& a) {
     negated.nodes_.pop_back();
     return negated;
   }
-  negated.nodes_.push_back({BooleanExpression::Kind::negation,
-                            static_cast<int>(negated.nodes_.size()) - 1, 0});
+  negated.nodes_.push_back(
+      {BooleanExpression::Kind::negation, static_cast<int>(negated.nodes_.size()) - 1, 0});
   return negated;
 }
 

@@ -7,10 +7,40 @@ namespace rfm {
 
 Field trim(const Field& gamma, const Field& lambda) {
   const Field root = sqrt(lambda * lambda + pow(gamma, 4));
-  const Field on_piece =
-      abs(gamma) * sqrt(1.0 + pow(gamma, 6) / (4.0 * pow(root + lambda, 2)));
+  const Field on_piece = abs(gamma) * sqrt(1.0 + pow(gamma, 6) / (4.0 * pow(root + lambda, 2)));
   const Field beyond = sqrt(gamma * gamma + pow(root - lambda, 2) / 4.0);
   return select(apply(Operation::less, {0.0, lambda}), on_piece, beyond);
+}
+
+Side side_of(int primitive, const RegionEvaluator& region) {
+  const BooleanExpression expression = region.region().expression().negations_at_leaves();
+  const auto& nodes = expression.nodes();
+  std::vector<bool> negated(nodes.size(), false);
+  for (const auto& node : nodes)
+    if (node.kind == BooleanExpression::Kind::negation) negated[node.first] = true;
+  bool plain = false, subtracted = false;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].kind == BooleanExpression::Kind::variable && nodes[i].first == primitive)
+      (negated[i] ? subtracted : plain) = true;
+  return plain && subtracted ? Side::both : subtracted ? Side::negative : Side::positive;
+}
+
+std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) {
+  const Field& level = region.region().primitives()[primitive]->level;
+  std::vector<Field> normal = gradient(level, region.dimension());
+  Field square = 0.0;
+  for (const Field& component : normal) square = square + component * component;
+  const Side side = side_of(primitive, region);
+  Field sign = side == Side::negative ? 1.0 : -1.0;
+  if (side == Side::both) {
+    // Positive inside the region means that the others make it true with this one and false without.
+    const BooleanExpression& whole = region.region().expression();
+    const BooleanExpression inward =
+        whole.restricted(primitive, true) & (!whole.restricted(primitive, false));
+    sign = 1.0 - 2.0 * step(implicit(inward.negations_at_leaves(), region.region(), RAlpha{1}));
+  }
+  for (Field& component : normal) component = sign * component / sqrt(square);
+  return normal;
 }
 
 BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const Box& bounds) {
@@ -19,15 +49,15 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
   const BooleanExpression without = whole.restricted(primitive, false);
   const Primitive& source = *region.region().primitives()[primitive];
   BoundaryPiece piece{primitive, source.name, source.function, true};
-  if (extends_beyond_piece(primitive, region, bounds)) {
+  const Side side = side_of(primitive, region);
+  if (side == Side::both || extends_beyond_piece(primitive, region, bounds)) {
     piece.whole = false;
     const BooleanExpression decides = (with & !without) | ((!with) & without);
     piece.function =
         trim(source.function, implicit(decides.negations_at_leaves(), region.region()));
     return piece;
   }
-  // A primitive that is subtracted is negative in the region.
-  if (with.is_constant(false)) piece.function = -source.function;
+  if (side == Side::negative) piece.function = -source.function;
   return piece;
 }
 

@@ -20,6 +20,19 @@ struct BoundaryPiece {
   bool whole = true;
 };
 
+/// On which side of a primitive's boundary the region lies.
+enum class Side {
+  positive,  ///< where the primitive is positive, all along its piece
+  negative,  ///< where it is negative: it is subtracted
+  both       ///< here this, there that, as in an exclusive or
+};
+/// Decided by how the primitive occurs once negations stand on primitives only.
+Side side_of(int primitive, const RegionEvaluator& region);
+
+/// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, the opposite where the region
+/// lies on its negative side, chosen point by point where it lies on both.
+std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);
+
 /// The piece of primitive `primitive`. Whether the piece is empty is not decided here (its measure
 /// tells).
 BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const Box& bounds);

@@ -1,6 +1,7 @@
 #include "core/bounding_box.hpp"
 
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace rfm {
 namespace {
 
-constexpr double horizon = 1e8;
+constexpr double horizon = 1e15;
 
 struct Candidate {
   Box box;
@@ -30,10 +31,14 @@ class SideSearch {
   SideSearch(const RegionEvaluator& region, int axis, bool upper)
       : region_(region), axis_(axis), upper_(upper) {}
 
-  // The side within `tolerance` times the length of `start`; `extreme` receives the small box that
-  // attains it. False if `start` does not meet the region.
-  bool run(const Box& start, double tolerance, double& side, Box& extreme) const {
-    constexpr int most_boxes = 20000;  // then the bound at hand, still from outside, is taken
+  struct Result {
+    double side = 0;
+    Box extreme;            ///< the box that attains it
+    bool converged = true;  ///< within `tolerance` times the length of the box searched
+  };
+  // Empty if `start` does not meet the region.
+  std::optional<Result> run(const Box& start, double tolerance) const {
+    constexpr int most_boxes = 5000;  // then the bound at hand, still from outside, is taken
     const double thinnest = tolerance * start.length(axis_);
     std::priority_queue<Candidate> queue;
     const auto push = [&](const Box& box, int depth) {
@@ -46,14 +51,13 @@ class SideSearch {
       queue.pop();
       const int widest = widest_axis(box, start, std::sqrt(tolerance));
       if (widest < 0 || visited > most_boxes) {
-        side = upper_ ? box.high[axis_] : box.low[axis_];
-        extreme = box;
-        (upper_ ? extreme.low : extreme.high)[axis_] = side;
-        return true;
+        Result result{upper_ ? box.high[axis_] : box.low[axis_], box, widest < 0};
+        (upper_ ? result.extreme.low : result.extreme.high)[axis_] = result.side;
+        return result;
       }
       for (const Box& half : bisect(box, widest)) push(half, depth + 1);
     }
-    return false;
+    return {};
   }
 
  private:
@@ -97,6 +101,18 @@ class SideSearch {
   bool upper_;
 };
 
+// Whether the curve {f = g = 0} runs across `axis` at a point, so that its extreme may lie there.
+// (In the plane it is a point.)
+bool turns(const LevelFunction& f, const LevelFunction& g, const Point& point, int axis) {
+  if (f.dimension() < 3) return true;
+  Point a, b;
+  f.value_and_gradient(point, a);
+  g.value_and_gradient(point, b);
+  const Point tangent{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                      a[0] * b[1] - a[1] * b[0]};
+  return std::fabs(tangent[axis]) <= 1e-6 * std::hypot(tangent[0], tangent[1], tangent[2]);
+}
+
 // The exact coordinate of a flat face or a corner near the extreme box, or `side` unchanged.
 double polished(const RegionEvaluator& region, const Box& extreme, int axis, double side,
                 double reach) {
@@ -107,12 +123,12 @@ double polished(const RegionEvaluator& region, const Box& extreme, int axis, dou
   std::vector<int> near;
   for (int k = 0; k < region.primitive_count(); ++k)
     if (!region.level(k).value_bounds(around).excludes_zero()) near.push_back(k);
-  double best = side, distance = reach;
+  std::optional<double> best;
   const auto offer = [&](const Point& point) {
-    if (std::fabs(point[axis] - side) <= distance && region.contains(point, 1e-3 * reach)) {
-      distance = std::fabs(point[axis] - side);
+    const double distance = std::fabs(point[axis] - side);
+    if (distance <= (best ? std::fabs(*best - side) : reach) &&
+        region.contains(point, 1e-3 * reach))
       best = point[axis];
-    }
   };
   for (int k : near) {
     Point gradient;
@@ -124,11 +140,16 @@ double polished(const RegionEvaluator& region, const Box& extreme, int axis, dou
     foot[axis] -= value / gradient[axis];
     if (across <= 1e-14 * std::fabs(gradient[axis])) offer(foot);
   }
+  if (best) return *best;  // a face is found more exactly than its corners
   for (std::size_t i = 0; i < near.size(); ++i)
-    for (std::size_t j = i + 1; j < near.size(); ++j)
-      if (const auto corner = common_zero(region.level(near[i]), region.level(near[j]), start))
+    for (std::size_t j = i + 1; j < near.size(); ++j) {
+      const LevelFunction &f = region.level(near[i]), &g = region.level(near[j]);
+      if (const auto corner = common_zero(f, g, start); corner && turns(f, g, *corner, axis))
         offer(*corner);
-  return best;
+      for (std::size_t k = j + 1; extreme.dimension == 3 && k < near.size(); ++k)
+        if (const auto corner = common_zero(f, g, region.level(near[k]), start)) offer(*corner);
+    }
+  return best.value_or(side);
 }
 
 std::string direction_name(int axis, bool upper) {
@@ -149,24 +170,26 @@ Box bounding_box(const RegionEvaluator& region) {
     Box next = box;
     for (int axis = 0; axis < dimension; ++axis) {
       for (const bool upper : {false, true}) {
-        Box extreme;
-        double side = 0;
-        if (!SideSearch(region, axis, upper).run(box, tolerance, side, extreme))
-          throw InvalidArgument("the region is empty");
-        if (polish)
-          side = polished(region, extreme, axis, side, std::sqrt(tolerance) * box.longest_side());
+        const auto found = SideSearch(region, axis, upper).run(box, tolerance);
+        if (!found) throw InvalidArgument("the region is empty");
+        double side = found->side;
+        if (polish && found->converged)
+          side = polished(region, found->extreme, axis, side,
+                          std::sqrt(tolerance) * box.longest_side());
         (upper ? next.high : next.low)[axis] = side;
       }
     }
     return next;
   };
-  // From the horizon inwards, a factor of about 20 at a time, until the box no longer shrinks.
-  for (bool shrinking = true; shrinking;) {
-    const Box next = contract(0.05, false);
-    shrinking = false;
+  // From the horizon inwards, a factor of about 20 at a time; where bounds over so large boxes are
+  // too weak to shrink it, more finely.
+  for (double tolerance = 0.05; tolerance > 1e-4;) {
+    const Box next = contract(tolerance, false);
+    bool shrinking = false;
     for (int axis = 0; axis < dimension; ++axis)
       shrinking = shrinking || next.length(axis) < 0.7 * box.length(axis);
     box = next;
+    if (!shrinking) tolerance *= 0.1;
   }
   for (int axis = 0; axis < dimension; ++axis)
     for (const bool upper : {false, true})

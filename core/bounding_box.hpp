@@ -11,7 +11,7 @@ namespace rfm {
 /// rounding, so that grid lines fall on such faces exactly; at other corners (of one primitive that
 /// is not smooth) it is within 10⁻⁶.
 ///
-/// Throws `InvalidArgument` if the region is empty, or not bounded within ±10⁸ (the message names
+/// Throws `InvalidArgument` if the region is empty, or not bounded within ±10¹⁵ (the message names
 /// the direction).
 Box bounding_box(const RegionEvaluator& region);
 

@@ -54,7 +54,8 @@ void branch(const Box& bounds, double resolution, const Undecided& undecided, co
 
 double resolution_for(int dimension) { return dimension == 3 ? 0x1p-6 : 0x1p-10; }
 
-// Cosine of the angle between the gradients, with the signs that the literals have in their factors.
+// Cosine of the angle between the gradients, with the signs that the literals have in their
+// factors.
 double cosine(const Factor::Literal& a, const Factor::Literal& b, const RegionEvaluator& region,
               const Point& point) {
   Point p, q;
@@ -97,8 +98,8 @@ Contact contact(const Factor& a, const Factor& b, const RegionEvaluator& region,
                  signs.of(region.region().expression()) != Truth::no;
         },
         [&](const Box& box) {
-          const auto zero = common_zero(region.level(p.primitive), region.level(q.primitive),
-                                        box.center());
+          const auto zero =
+              common_zero(region.level(p.primitive), region.level(q.primitive), box.center());
           // Without a common zero nearby the curves touch, or pass each other closely: judged by
           // their directions.
           const Point at = zero ? *zero : box.center();

@@ -22,17 +22,16 @@ enum class Contact {
   obtuse,  ///< they meet at an interior angle beyond 90°, or tangentially from the same side
 };
 
-/// Decided by branch and bound: boxes where neither a sign nor the region's membership is proved are
-/// halved, and common zeros near those left over are found by Newton's method.
-Contact contact(const Factor& a, const Factor& b, const RegionEvaluator& region,
-                const Box& bounds);
+/// Decided by branch and bound: boxes where neither a sign nor the region's membership is proved
+/// are halved, and common zeros near those left over are found by Newton's method.
+Contact contact(const Factor& a, const Factor& b, const RegionEvaluator& region, const Box& bounds);
 
 /// Whether the boundary of a factor may meet the closed region (false is proved).
 bool meets_region(const Factor& factor, const RegionEvaluator& region, const Box& bounds);
 
-/// A point in the closed region and on {primitive = 0} where the region's membership does not depend
-/// on that primitive's sign may exist (false is proved): then the primitive's zero set goes on into
-/// the region beyond the piece of boundary that it contributes.
+/// A point in the closed region and on {primitive = 0} where the region's membership does not
+/// depend on that primitive's sign may exist (false is proved): then the primitive's zero set goes
+/// on into the region beyond the piece of boundary that it contributes.
 bool extends_beyond_piece(int primitive, const RegionEvaluator& region, const Box& bounds);
 
 }  // namespace rfm

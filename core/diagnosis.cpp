@@ -53,8 +53,8 @@ std::string diagnose(const Field& field, const Point& point, int dimension) {
     for (const Field& argument : node.arguments) values.push_back(value_of(argument));
     const Field* culprit = nullptr;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool not_taken = node.operation == Operation::select && i > 0 &&
-                             (values[0] != 0) != (i == 1);
+      const bool not_taken =
+          node.operation == Operation::select && i > 0 && (values[0] != 0) != (i == 1);
       if (!culprit && !not_taken && !std::isfinite(values[i])) culprit = &node.arguments[i];
     }
     if (!culprit) return call_text(node, values);

@@ -130,9 +130,9 @@ Field normalize(const Field& f, int dimension);
 
 /// A generic lambda is a field: `field([](auto x, auto y) { return sin(x) * exp(y); })`.
 template <class Function>
-  requires std::invocable<Function, Field> || std::invocable<Function, Field, Field> ||
-           std::invocable<Function, Field, Field, Field>
-Field field(Function&& function) {
+requires std::invocable<Function, Field> || std::invocable<Function, Field, Field> ||
+    std::invocable<Function, Field, Field, Field>
+        Field field(Function&& function) {
   if constexpr (std::invocable<Function, Field>)
     return function(x_coordinate());
   else if constexpr (std::invocable<Function, Field, Field>)

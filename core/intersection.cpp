@@ -7,6 +7,10 @@ namespace {
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 constexpr int most_steps = 50;
 
 // The last step of a quadratically convergent iteration is rounding.
@@ -37,6 +41,31 @@ std::optional<Point> common_zero(const LevelFunction& f, const LevelFunction& g,
     if (!std::isfinite(length)) return {};
     if (negligible(step, point)) return point;
     // Rounding keeps steps from vanishing next to a zero; they stop shrinking there.
+    if (length >= 0.5 * previous && length * length <= 1e-26 * dot(point, point)) return point;
+    previous = length;
+  }
+  return {};
+}
+
+std::optional<Point> common_zero(const LevelFunction& f, const LevelFunction& g,
+                                 const LevelFunction& h, const Point& start) {
+  Point point = start;
+  double previous = INFINITY;
+  for (int i = 0; i < most_steps; ++i) {
+    Point a, b, c;
+    const double u = f.value_and_gradient(point, a), v = g.value_and_gradient(point, b),
+                 w = h.value_and_gradient(point, c);
+    const Point bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const double determinant = dot(a, bc);
+    if (!(std::fabs(determinant) > 1e-8 * std::sqrt(dot(a, a) * dot(b, b) * dot(c, c)))) return {};
+    Point step;
+    for (int axis = 0; axis < 3; ++axis) {
+      step[axis] = -(u * bc[axis] + v * ca[axis] + w * ab[axis]) / determinant;
+      point[axis] += step[axis];
+    }
+    const double length = std::sqrt(dot(step, step));
+    if (!std::isfinite(length)) return {};
+    if (negligible(step, point)) return point;
     if (length >= 0.5 * previous && length * length <= 1e-26 * dot(point, point)) return point;
     previous = length;
   }

@@ -13,8 +13,9 @@ struct Quadric;
 
 /// A primitive as quadrature and branch-and-bound see it: values and gradients at single points,
 /// rigorous bounds over boxes. Polynomials of degree ≤ 2 (half-planes, circles, ellipses, spheres,
-/// cylinders, quadrics) are recognised in the expression and evaluated in closed form; all else goes
-/// through a tape. Thread-safe; bounds of derivatives that vanish identically are exactly [0, 0].
+/// cylinders, quadrics) are recognised in the expression and evaluated in closed form; all else
+/// goes through a tape. Thread-safe; bounds of derivatives that vanish identically are exactly [0,
+/// 0].
 class LevelFunction {
  public:
   LevelFunction(const Field& field, int dimension);

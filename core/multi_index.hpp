@@ -8,9 +8,7 @@ namespace rfm {
 /// Orders of differentiation along x, y, z and a fourth coordinate.
 using MultiIndex = std::array<std::uint8_t, 4>;
 
-constexpr int degree(const MultiIndex& index) {
-  return index[0] + index[1] + index[2] + index[3];
-}
+constexpr int degree(const MultiIndex& index) { return index[0] + index[1] + index[2] + index[3]; }
 
 /// The multi-index that is 1 at `axis` alone.
 constexpr MultiIndex unit_index(int axis) {

@@ -1,6 +1,7 @@
 #include "core/primitives.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 
@@ -14,6 +15,29 @@ Region unnamed(const Field& function, const Field& level, int dimension) {
 void require_positive(double size, const char* what) {
   if (!(size > 0))
     throw InvalidArgument(std::string(what) + " must be positive, got " + std::to_string(size));
+}
+
+// x − center, component by component.
+std::array<Field, 3> offset_from(const Point& center) {
+  return {x_coordinate() - center[0], y_coordinate() - center[1], z_coordinate() - center[2]};
+}
+
+Field dot(const std::array<Field, 3>& a, const Point& b) {
+  return b[0] * a[0] + b[1] * a[1] + b[2] * a[2];
+}
+
+Field square_length(const std::array<Field, 3>& a) {
+  return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+Point unit(const Point& direction, const char* what) {
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  require_positive(length, what);
+  return {direction[0] / length, direction[1] / length, direction[2] / length};
+}
+
+Region named_side(const char* name, const Field& function, const Field& level) {
+  return Region(Primitive{name, function, level}, 3);
 }
 
 }  // namespace
@@ -56,6 +80,80 @@ Region box(const Point& min, const Point& max, int dimension) {
     region = region & side(names[2 * axis], coordinate(axis) - min[axis]) &
              side(names[2 * axis + 1], max[axis] - coordinate(axis));
   return region;
+}
+
+Region half_space(const Point& point, const Point& normal) {
+  const Point n = unit(normal, "the length of a normal");
+  const Field distance = dot(offset_from(point), n);
+  return unnamed(distance, distance, 3);
+}
+
+Region sphere(const Point& center, double radius) {
+  require_positive(radius, "the radius of a sphere");
+  const Field function = (radius * radius - square_length(offset_from(center))) * (0.5 / radius);
+  return unnamed(function, function, 3);
+}
+
+Region ellipsoid(const Point& center, const Point& radii, const Point& axis, double angle) {
+  const Point a = unit(axis, "the length of an axis");
+  const auto d = offset_from(center);
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  Field level = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    require_positive(radii[i], "a radius of an ellipsoid");
+    // The turned unit vector eᵢ, by Rodrigues' formula.
+    Point e{};
+    e[i] = 1;
+    const double along = a[i] * (1 - cosine);
+    const Point cross{a[1] * e[2] - a[2] * e[1], a[2] * e[0] - a[0] * e[2],
+                      a[0] * e[1] - a[1] * e[0]};
+    Point turned;
+    for (int k = 0; k < 3; ++k) turned[k] = cosine * e[k] + sine * cross[k] + along * a[k];
+    const Field xi = dot(d, turned) / radii[i];
+    level = level - xi * xi;
+  }
+  return unnamed(normalize(level, 3), level, 3);
+}
+
+Region cylinder(const Point& center, const Point& axis, double radius, double length) {
+  require_positive(radius, "the radius of a cylinder");
+  require_positive(length, "the length of a cylinder");
+  const Point a = unit(axis, "the length of an axis");
+  const auto d = offset_from(center);
+  const Field height = dot(d, a);
+  const Field side = (radius * radius - (square_length(d) - height * height)) * (0.5 / radius);
+  const Region infinite = named_side("side", side, side);
+  if (!std::isfinite(length)) return infinite;
+  const Field start = height + 0.5 * length, end = 0.5 * length - height;
+  return infinite & named_side("start", start, start) & named_side("end", end, end);
+}
+
+Region cone(const Point& apex, const Point& axis, double half_angle, double length) {
+  require_positive(half_angle, "the half angle of a cone");
+  require_positive(std::numbers::pi / 2 - half_angle, "90 degrees minus the half angle of a cone");
+  require_positive(length, "the length of a cone");
+  const Point a = unit(axis, "the length of an axis");
+  const auto d = offset_from(apex);
+  const Field height = dot(d, a);
+  const double cosine = std::cos(half_angle);
+  // (h sin)² − cos² (|d|² − h²), with sin² + cos² = 1.
+  const Field level = height * height - (cosine * cosine) * square_length(d);
+  const Region nappe =
+      named_side("side", normalize(level, 3), level) & named_side("apex", height, height);
+  if (!std::isfinite(length)) return nappe;
+  const Field end = length - height;
+  return nappe & named_side("end", end, end);
+}
+
+Region torus(const Point& center, const Point& axis, double radius, double tube) {
+  require_positive(tube, "the radius of a tube");
+  require_positive(radius - tube, "the radius of a torus minus that of its tube");
+  const Point a = unit(axis, "the length of an axis");
+  const auto d = offset_from(center);
+  const Field height = dot(d, a), square = square_length(d);
+  const Field level = 4 * radius * radius * (square - height * height) -
+                      pow(square + (radius * radius - tube * tube), 2.0);
+  return unnamed(normalize(level, 3), level, 3);
 }
 
 Region level_set(const Field& f, int dimension) { return unnamed(f, f, dimension); }

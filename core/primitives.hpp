@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "core/region.hpp"
 
 namespace rfm {
@@ -17,6 +19,26 @@ Region ellipse(const Point& center, const Point& radii, double angle = 0);
 /// The box min ≤ x ≤ max in 1 to 3 dimensions, a conjunction of its sides `left right bottom top
 /// back front` (x−, x+, y−, y+, z−, z+), each an exact signed distance.
 Region box(const Point& min, const Point& max, int dimension = 2);
+/// {(x − point) · normal ≥ 0} in space. An exact signed distance.
+Region half_space(const Point& point, const Point& normal);
+/// (r² − |x − c|²) / 2r in space.
+Region sphere(const Point& center, double radius);
+/// 1 − Σ (ξᵢ/aᵢ)² in axes turned by `angle` radians about `axis`, normalised by eq. (4.9).
+Region ellipsoid(const Point& center, const Point& radii, const Point& axis = {0, 0, 1},
+                 double angle = 0);
+/// Around the line through `center` along `axis`: side `side`, (r² − ρ²) / 2r with ρ the distance
+/// from the axis. With a finite `length`, centred, the conjunction with the half-spaces of its flat
+/// ends `start` and `end` (start lies against the axis' direction).
+Region cylinder(const Point& center, const Point& axis, double radius,
+                double length = std::numeric_limits<double>::infinity());
+/// The points h ≥ 0 along `axis` from `apex` with ρ ≤ h tan(half_angle): side `side`, the quadric
+/// (h sin)² − (ρ cos)² normalised by eq. (4.9), and the half-space h ≥ 0, which cuts off the other
+/// nappe and bounds nothing but the apex. With a finite `length` a flat end `end`.
+Region cone(const Point& apex, const Point& axis, double half_angle,
+            double length = std::numeric_limits<double>::infinity());
+/// The quartic 4R²ρ² − (|x − c|² + R² − r²)², normalised by eq. (4.9); R is the radius of the
+/// tube's middle, r < R that of the tube.
+Region torus(const Point& center, const Point& axis, double radius, double tube);
 /// {f ≥ 0} for any function, taken as it is: not normalised.
 Region level_set(const Field& f, int dimension = 2);
 

@@ -1,5 +1,7 @@
 #include "core/quadric.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/tape_program.hpp"
@@ -97,8 +99,57 @@ double Quadric::slope(const Point& point, int axis) const {
 
 Point Quadric::gradient(const Point& x) const { return {slope(x, 0), slope(x, 1), slope(x, 2)}; }
 
+namespace {
+
+// c + b·t + tᵀAt with mixed terms as a sum of squares: each axis in turn is completed together with
+// its mixed terms, a (t_i + (b/2 + Σ_j a_j t_j)/a)² − (b/2 + Σ_j a_j t_j)²/a. A thin turned ellipse
+// is then bounded as well as one along the axes. Coefficients are intervals, for they are rounded.
+Interval completed_bounds(const Quadric& quadric, const Box& box) {
+  const int dimension = box.dimension;
+  Interval constant(quadric.constant), linear[3], square[3][3], t[3];
+  for (int i = 0; i < dimension; ++i) {
+    t[i] = box.interval(i) - Interval(quadric.origin[i]);
+    linear[i] = quadric.linear[i];
+    for (int j = 0; j < dimension; ++j) square[i][j] = quadric.square[square_index(i, j)];
+  }
+  Interval sum;
+  std::array<bool, 3> done{};
+  for (int step = 0; step < dimension; ++step) {
+    int axis = -1;
+    for (int i = 0; i < dimension; ++i)
+      if (!done[i] && (axis < 0 || square[i][i].mignitude() > square[axis][axis].mignitude()))
+        axis = i;
+    const Interval a = square[axis][axis];
+    if (!a.excludes_zero()) break;
+    done[axis] = true;
+    Interval shift = linear[axis] / (Interval(2) * a);
+    for (int j = 0; j < dimension; ++j)
+      if (!done[j]) shift = shift + square[axis][j] / a * t[j];
+    sum = sum + a * rfm::square(t[axis] + shift);
+    constant = constant - rfm::square(linear[axis]) / (Interval(4) * a);
+    for (int j = 0; j < dimension; ++j) {
+      if (done[j]) continue;
+      linear[j] = linear[j] - square[axis][j] * linear[axis] / a;
+      for (int k = 0; k < dimension; ++k)
+        if (!done[k] && k != j) square[j][k] = square[j][k] - square[axis][j] * square[axis][k] / a;
+      square[j][j] = square[j][j] - rfm::square(square[axis][j]) / a;
+    }
+  }
+  sum = sum + constant;
+  for (int i = 0; i < dimension; ++i) {
+    if (done[i]) continue;
+    sum = sum + linear[i] * t[i] + square[i][i] * rfm::square(t[i]);
+    for (int j = i + 1; j < dimension; ++j)
+      if (!done[j]) sum = sum + Interval(2) * square[i][j] * t[i] * t[j];
+  }
+  return sum;
+}
+
+}  // namespace
+
 Interval Quadric::value_bounds(const Box& box) const {
   // With the square of each axis completed the range is exact, but for mixed terms.
+  bool mixed = false;
   Interval sum(constant);
   for (int i = 0; i < box.dimension; ++i) {
     const Interval t = box.interval(i) - Interval(origin[i]);
@@ -111,11 +162,14 @@ Interval Quadric::value_bounds(const Box& box) const {
       const Interval shift = Interval(b) / Interval(2 * a);
       sum = sum + Interval(a) * (rfm::square(t + shift) - rfm::square(shift));
     }
-    for (int j = i + 1; j < box.dimension; ++j)
-      sum = sum + Interval(2 * square[square_index(i, j)]) * t *
-                      (box.interval(j) - Interval(origin[j]));
+    for (int j = i + 1; j < box.dimension; ++j) {
+      const double a_ij = square[square_index(i, j)];
+      if (a_ij == 0) continue;
+      mixed = true;
+      sum = sum + Interval(2 * a_ij) * t * (box.interval(j) - Interval(origin[j]));
+    }
   }
-  return sum;
+  return mixed && !sum.excludes_zero() ? intersection(sum, completed_bounds(*this, box)) : sum;
 }
 
 FunctionBounds Quadric::bounds(const Box& box) const {
@@ -127,8 +181,8 @@ FunctionBounds Quadric::bounds(const Box& box) const {
   for (int i = 0; i < box.dimension; ++i) {
     Interval slope(linear[i]);
     for (int j = 0; j < box.dimension; ++j)
-      slope = slope + Interval(2 * square[square_index(i, j)]) *
-                          (box.interval(j) - Interval(origin[j]));
+      slope = slope +
+              Interval(2 * square[square_index(i, j)]) * (box.interval(j) - Interval(origin[j]));
     bounds.gradient[i] = slope;
     mean_value = mean_value + slope * (box.interval(i) - Interval(center[i]));
   }
@@ -147,19 +201,60 @@ std::optional<Quadric> expanded_about(const Point& origin, const Tape::Program& 
   return quadric;
 }
 
+// The point where the gradient b + 2At vanishes, relative to the origin of `quadric`: by
+// elimination with complete pivoting. Directions in which A is zero up to rounding (the axis of a
+// parabola or a cylinder) are left alone.
+Point offset_of_center(const Quadric& quadric, int dimension) {
+  double matrix[3][4];
+  double largest = 0;
+  for (int i = 0; i < dimension; ++i) {
+    for (int j = 0; j < dimension; ++j) {
+      matrix[i][j] = 2 * quadric.square[square_index(i, j)];
+      largest = std::max(largest, std::fabs(matrix[i][j]));
+    }
+    matrix[i][3] = -quadric.linear[i];
+  }
+  std::array<bool, 3> used_row{};
+  std::array<int, 3> row_of{-1, -1, -1};
+  for (int step = 0; step < dimension; ++step) {
+    int row = -1, column = -1;
+    for (int i = 0; i < dimension; ++i)
+      for (int j = 0; j < dimension; ++j)
+        if (!used_row[i] && row_of[j] < 0 &&
+            (row < 0 || std::fabs(matrix[i][j]) > std::fabs(matrix[row][column])))
+          row = i, column = j;
+    if (!(std::fabs(matrix[row][column]) > 1e-14 * largest)) break;
+    used_row[row] = true;
+    row_of[column] = row;
+    for (int i = 0; i < dimension; ++i) {
+      if (i == row) continue;
+      const double factor = matrix[i][column] / matrix[row][column];
+      for (int j = 0; j < 4; ++j) matrix[i][j] -= factor * matrix[row][j];
+    }
+  }
+  Point offset{};
+  for (int axis = 0; axis < dimension; ++axis)
+    if (row_of[axis] >= 0) offset[axis] = matrix[row_of[axis]][3] / matrix[row_of[axis]][axis];
+  return offset;
+}
+
 }  // namespace
 
 std::optional<Quadric> as_quadric(const Field& field, int dimension) {
   const auto program = compile({field}, {0}, dimension);
   const std::optional<Quadric> first = expanded_about(Point{}, *program);
   if (!first || first->is_affine()) return first;
-  // The centre, axis by axis: exact without mixed terms, and otherwise as good an origin as any.
-  Point center{};
-  for (int i = 0; i < dimension; ++i) {
-    const double a = first->square[square_index(i, i)];
-    if (a != 0) center[i] = -0.5 * first->linear[i] / a;
+  // Twice, because far from the coordinate origin the first expansion has lost digits.
+  Quadric centered = *first;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const Point offset = offset_of_center(centered, dimension);
+    Point origin = centered.origin;
+    for (int axis = 0; axis < dimension; ++axis) origin[axis] += offset[axis];
+    centered = *expanded_about(origin, *program);
   }
-  return expanded_about(center, *program);
+  // The centre of what is nearly a plane is so far away that digits would be lost there.
+  const bool farther = std::fabs(centered.constant) > 1e4 * std::fabs(first->constant);
+  return farther ? first : centered;
 }
 
 }  // namespace rfm

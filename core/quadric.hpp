@@ -8,8 +8,9 @@
 
 namespace rfm {
 
-/// A polynomial of degree ≤ 2: c + b·t + tᵀAt with t = x − origin and A symmetric. The origin is its
-/// centre where it has one, so that a small circle far from the coordinate origin loses no digits.
+/// A polynomial of degree ≤ 2: c + b·t + tᵀAt with t = x − origin and A symmetric. The origin is
+/// its centre where it has one within reach, so that a small circle far from the coordinate origin
+/// loses no digits.
 struct Quadric {
   Point origin{};
   double constant = 0;

@@ -53,9 +53,7 @@ Region operator-(const Region& a, const Region& b) {
 Region operator^(const Region& a, const Region& b) {
   return Region::combined(a, b, [](const auto& p, const auto& q) { return p ^ q; });
 }
-Region operator!(const Region& a) {
-  return Region(a.dimension_, a.primitives_, !a.expression_);
-}
+Region operator!(const Region& a) { return Region(a.dimension_, a.primitives_, !a.expression_); }
 
 RegionEvaluator::RegionEvaluator(const Region& region) : region_(region) {
   for (const auto& primitive : region.primitives())

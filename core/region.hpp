@@ -13,8 +13,8 @@ namespace rfm {
 
 /// A smooth function that is positive inside, with a name. The same set is described twice:
 /// `function` is normalised to first order (|∇| = 1 on the boundary) for R-functions, structures
-/// and `omega(name)`; `level` is the simplest function of the same sign (a polynomial where there is
-/// one), for quadrature and product weights.
+/// and `omega(name)`; `level` is the simplest function of the same sign (a polynomial where there
+/// is one), for quadrature and product weights.
 struct Primitive {
   std::string name;
   Field function;

@@ -8,8 +8,8 @@
 
 namespace rfm {
 
-/// One operation on jets. Memory of blocks is counted in rows of `Tape::block_size` numbers: the jet
-/// of a register of order k takes jet_size(dimension, k) rows from its offset on.
+/// One operation on jets. Memory of blocks is counted in rows of `Tape::block_size` numbers: the
+/// jet of a register of order k takes jet_size(dimension, k) rows from its offset on.
 struct Instruction {
   Operation operation = Operation::constant;
   int order = 0;

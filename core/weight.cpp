@@ -51,7 +51,8 @@ Factor as_factor(const BooleanExpression& expression) {
   return factor;
 }
 
-std::string formula_of(const BooleanExpression& expression, const Region& region, CombineRule rule) {
+std::string formula_of(const BooleanExpression& expression, const Region& region,
+                       CombineRule rule) {
   const bool r1 = rule == CombineRule::r1;
   std::vector<std::string> built;
   for (const auto& node : expression.nodes()) {
@@ -122,8 +123,8 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression) {
   return list;
 }
 
-Weight weight(const BooleanExpression& expression, const RegionEvaluator& region,
-              const Box& bounds, CombineRule rule) {
+Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
+              CombineRule rule) {
   const BooleanExpression normal = simplified(expression, region, bounds).negations_at_leaves();
   if (rule == CombineRule::r0 || rule == CombineRule::r1) {
     const RSystem system = RAlpha{rule == CombineRule::r1 ? 1.0 : 0.0};
@@ -147,8 +148,8 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
       }
     product.function = product.function * (alone ? multiplier(joined, region.region())
                                                  : implicit(joined, region.region()));
-    product.formula += (product.formula.empty() ? "" : " * ") +
-                       formula_of(joined, region.region(), rule);
+    product.formula +=
+        (product.formula.empty() ? "" : " * ") + formula_of(joined, region.region(), rule);
   }
   return product;
 }

@@ -29,14 +29,14 @@ BooleanExpression simplified(const BooleanExpression& expression, const RegionEv
 /// The operands of an expression's outermost conjunction (one operand if there is none).
 std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression);
 
-/// What multiplies Ψ in a solution structure. Its smoothness decides accuracy, and two cases differ:
-/// where boundary pieces do not meet in the closed region, or meet at an interior angle of at most
-/// 90°, the *product* of their functions is as smooth as they are and u/ω stays bounded; at larger
-/// convex angles u/ω is unbounded with a product, and an R₀-conjunction is better; at reentrant
-/// corners a disjunction is needed, and what stands below it is R₀ throughout. `automatic` decides
-/// pair by pair of conjuncts, by branch and bound over `bounds` (the bounding box of the region);
-/// conjuncts that must not multiply are gathered in one R₀-conjunction. Conjuncts whose zero set does
-/// not meet the closed region are left out.
+/// What multiplies Ψ in a solution structure. Its smoothness decides accuracy, and two cases
+/// differ: where boundary pieces do not meet in the closed region, or meet at an interior angle of
+/// at most 90°, the *product* of their functions is as smooth as they are and u/ω stays bounded; at
+/// larger convex angles u/ω is unbounded with a product, and an R₀-conjunction is better; at
+/// reentrant corners a disjunction is needed, and what stands below it is R₀ throughout.
+/// `automatic` decides pair by pair of conjuncts, by branch and bound over `bounds` (the bounding
+/// box of the region); conjuncts that must not multiply are gathered in one R₀-conjunction.
+/// Conjuncts whose zero set does not meet the closed region are left out.
 ///
 /// Products use the primitives' `level` (polynomials where there are any), R-functions their
 /// normalised `function`.
@@ -45,7 +45,7 @@ Weight weight(const RegionEvaluator& region, const Box& bounds,
 
 /// The weight of an expression over the primitives of `region` other than its own: the product or
 /// R₀-function that vanishes on the pieces of the boundary that `expression` names.
-Weight weight(const BooleanExpression& expression, const RegionEvaluator& region,
-              const Box& bounds, CombineRule rule = CombineRule::automatic);
+Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
+              CombineRule rule = CombineRule::automatic);
 
 }  // namespace rfm

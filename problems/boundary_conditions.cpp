@@ -37,21 +37,24 @@ std::optional<Field> exclusive(const std::optional<Field>& where,
 // The pieces that the structure prescribes, as a set of primitives.
 using Primitives = std::set<int>;
 
-// The conjuncts of the domain's expression all of whose primitives are in `prescribed`, joined.
+// The conjuncts of the domain's expression whose primitives, as far as they bound the domain, are all
+// in `prescribed`, joined.
 struct PrescribedConjuncts {
   BooleanExpression expression = BooleanExpression::constant(true);
   Primitives covered;
 };
 
 PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Box& bounds,
+                                         const Primitives& bounding,
                                          const Primitives& prescribed) {
   PrescribedConjuncts result;
   for (const BooleanExpression& conjunct :
        conjuncts(simplified(region.region().expression(), region, bounds).negations_at_leaves())) {
     Primitives used;
     for (const auto& node : conjunct.nodes())
-      if (node.kind == BooleanExpression::Kind::variable) used.insert(node.first);
-    if (!std::ranges::includes(prescribed, used)) continue;
+      if (node.kind == BooleanExpression::Kind::variable && bounding.contains(node.first))
+        used.insert(node.first);
+    if (used.empty() || !std::ranges::includes(prescribed, used)) continue;
     result.expression = result.expression & conjunct;
     result.covered.insert(used.begin(), used.end());
   }
@@ -60,19 +63,19 @@ PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Bo
 
 // A function that vanishes on the pieces of `primitives` (with their `where`) and nowhere else.
 Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
-                    const Box& bounds, CombineRule rule) {
+                    const Box& bounds, const Primitives& bounding, CombineRule rule) {
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
-  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, bounds, whole);
+  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, bounds, bounding, whole);
   Weight result = weight(conjuncts.expression, region, bounds, rule);
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
     const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
     const Field function = piece.where ? trim(part.function, *piece.where) : part.function;
     result.function = result.function * function;
-    result.formula += (result.formula.empty() ? "" : " * ") + std::string("trim(omega(") +
-                      piece.name + "))";
+    result.formula +=
+        (result.formula.empty() ? "" : " * ") + std::string("trim(omega(") + piece.name + "))";
   }
   return result;
 }
@@ -87,7 +90,7 @@ Field levelled(const Field& gamma, double length) {
 // product of large numbers where that of another is small, and the interpolant would change from
 // one to the other within a thin layer.
 Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
-                     const Box& bounds) {
+                     const Box& bounds, const Primitives& bounding) {
   const double length = 1.0 * bounds.longest_side();
   Weight distance{1.0, ""};
   const auto multiply = [&](const Field& function, const std::string& formula) {
@@ -97,7 +100,7 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
-  const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, whole);
+  const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, bounding, whole);
   for (const BooleanExpression& conjunct : conjuncts(prescribed.expression))
     if (!conjunct.is_constant(true)) {
       const Weight factor = weight(conjunct, region, bounds, CombineRule::r0);
@@ -113,18 +116,6 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
 }
 
 }  // namespace
-
-std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) {
-  const Field& level = region.region().primitives()[primitive]->level;
-  const bool subtracted =
-      region.region().expression().restricted(primitive, true).is_constant(false);
-  std::vector<Field> normal = gradient(level, region.dimension());
-  Field square = 0.0;
-  for (const Field& component : normal) square = square + component * component;
-  for (Field& component : normal)
-    component = (subtracted ? component : -component) / sqrt(square);
-  return normal;
-}
 
 std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
                                              const std::vector<int>& bounding_primitives) {
@@ -161,14 +152,15 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const std::vector<bool>& data_is_regular) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
-  Primitives candidates;
+  Primitives bounding, candidates;
+  for (const PieceCondition& piece : conditions) bounding.insert(piece.primitive);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
     if (piece.kind == Condition::Kind::value && !piece.where && data_is_regular[i] &&
         piece.enforcement != Enforcement::weak)
       candidates.insert(piece.primitive);
   }
-  const Primitives covered = prescribed_conjuncts(region, bounds, candidates).covered;
+  const Primitives covered = prescribed_conjuncts(region, bounds, bounding, candidates).covered;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
     if (piece.kind != Condition::Kind::value) continue;
@@ -182,13 +174,13 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     if (piece.enforcement == Enforcement::weak) continue;
     plan.remarks.push_back(
         "value at " + piece.name + " is enforced weakly: " +
-        (!data_is_regular[i] ? "its data are not defined in the whole domain"
+        (!data_is_regular[i] ? "its data are not defined and smooth in the whole domain"
          : piece.where
              ? "it covers a part of its piece, where a structure would lose order"
              : "it shares a corner of the boundary's expression with another kind of condition"));
   }
   if (plan.by_structure.empty()) return plan;
-  plan.weight = vanishing_on(plan.by_structure, region, bounds, rule);
+  plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, rule);
   // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
   std::vector<std::vector<PieceCondition>> groups;
   for (const PieceCondition& piece : plan.by_structure) {
@@ -204,7 +196,7 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
   std::vector<TransfiniteDatum> data;
   for (const auto& group : groups) {
     Weight distance{1.0, ""};
-    if (groups.size() > 1) distance = distance_from(group, region, bounds);
+    if (groups.size() > 1) distance = distance_from(group, region, bounds, bounding);
     data.push_back({group[0].data[0], distance.function, 1});
     std::string pieces;
     for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;

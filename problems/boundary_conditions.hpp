@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/boundary_piece.hpp"
 #include "core/weight.hpp"
 #include "problems/problem.hpp"
 
@@ -22,10 +23,6 @@ struct PieceCondition {
   int condition = 0;
 };
 
-/// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, or its opposite where the
-/// primitive is subtracted.
-std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);
-
 /// The conditions of a problem, piece by piece, for the primitives that bound the domain. Where
 /// several claim parts of a piece, their `where` exclude each other by priority. Throws
 /// `ProblemFileErrors` for pieces without a condition and conditions without a piece.
@@ -35,8 +32,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 /// How the value conditions are met: u = g + ω Ψ on the pieces enforced by structure, boundary
 /// integrals (Nitsche) on the others.
 struct DirichletPlan {
-  Field data = 0.0;             ///< g
-  Weight weight{1.0, ""};       ///< ω; 1 where nothing is enforced by structure
+  Field data = 0.0;        ///< g
+  Weight weight{1.0, ""};  ///< ω; 1 where nothing is enforced by structure
   /// The sets of equal data that g interpolates, and the functions that vanish on them.
   struct DataSet {
     std::string pieces;
@@ -50,8 +47,8 @@ struct DirichletPlan {
 };
 
 /// Divides the value conditions. By structure: whole pieces whose conjunct of the domain's
-/// expression is prescribed on all its pieces; weakly: parts of pieces (the structure loses order at
-/// their ends: u/ω is singular there), pieces of a conjunct prescribed in part, data that are
+/// expression is prescribed on all its pieces; weakly: parts of pieces (the structure loses order
+/// at their ends: u/ω is singular there), pieces of a conjunct prescribed in part, data that are
 /// undefined somewhere in the domain, and what the file asks for. `enforce: structure` forces the
 /// rest, by trimmed functions.
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,

@@ -47,7 +47,8 @@ double largest_spacing(const Grid& grid) {
   return spacing;
 }
 
-// Newton's method on ∇f = 0 from a sampled maximum; steps beyond a cell, or out of the region, end it.
+// Newton's method on ∇f = 0 from a sampled maximum; steps beyond a cell, or out of the region, end
+// it.
 Extreme improved_inside(const Field& f, const ScalarProblem& problem, const Grid& grid,
                         const std::optional<Field>& inside, const Extreme& start) {
   const int dimension = grid.dimension();
@@ -145,7 +146,8 @@ Extreme maximum_over_boundary(const Field& f, const ScalarProblem& problem, cons
       }
     });
   }
-  if (best_primitive < 0) throw ComputationError("a probe over a part of the boundary has no points");
+  if (best_primitive < 0)
+    throw ComputationError("a probe over a part of the boundary has no points");
   return rule.dimension() == 2
              ? improved_along_curve(f, problem, rule.grid(), best_primitive, where, best)
              : best;

@@ -11,8 +11,8 @@ struct Extreme {
 };
 
 /// The largest value of a field over the volume (where `inside` is ≥ 0, if given): the best of all
-/// quadrature points, improved by Newton's method on ∇f = 0 while it stays in the region, and of all
-/// boundary points, improved along the boundary.
+/// quadrature points, improved by Newton's method on ∇f = 0 while it stays in the region, and of
+/// all boundary points, improved along the boundary.
 Extreme maximum_over_volume(const Field& f, const ScalarProblem& problem, const DomainRule& rule,
                             const std::optional<Field>& inside = {});
 

@@ -99,9 +99,9 @@ FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>
           for (int i = 0; i < size; ++i)
             for (int axis = 0; axis < 3; ++axis)
               coordinates[axis][i] = mesh.points[begin + i][axis];
-          tape.evaluate({{coordinates[0].data(), coordinates[1].data(), coordinates[2].data()},
-                         size},
-                        workspace);
+          tape.evaluate(
+              {{coordinates[0].data(), coordinates[1].data(), coordinates[2].data()}, size},
+              workspace);
           for (std::size_t r = 0; r < roots.size(); ++r) {
             FieldMesh::PointData& data = mesh.data[targets[r].data];
             for (int i = 0; i < size; ++i) {

@@ -16,8 +16,8 @@ struct NamedField {
 
 /// Samples fields at the vertices of a tessellation; vertices with equal coordinates become one.
 /// Where a field has no value at a vertex itself (transfinite data at a corner where they disagree,
-/// 0/0), its value 10⁻⁶ of an element further inside is taken. Throws `ComputationError` where there
-/// is none either.
+/// 0/0), its value 10⁻⁶ of an element further inside is taken. Throws `ComputationError` where
+/// there is none either.
 FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>& fields,
                  int dimension);
 

@@ -100,8 +100,10 @@ std::string Mistake::text() const {
   return text;
 }
 
+bool MistakeList::is_full() const { return mistakes_.size() >= most_mistakes_kept; }
+
 void MistakeList::add(std::string message, const Place& place, std::vector<Mistake::Other> others) {
-  if (mistakes_.size() >= most_mistakes_kept) return;
+  if (is_full()) return;
   for (const Mistake& known : mistakes_) {
     const Place& at = known.place;
     if (at.source == place.source && at.line == place.line && at.column == place.column &&

@@ -59,6 +59,8 @@ class MistakeList {
   /// The same mistake at the same place counts once; beyond a thousand, none are kept.
   void add(std::string message, const Place& place, std::vector<Mistake::Other> others = {});
   bool empty() const { return mistakes_.empty(); }
+  /// Whether nothing more is kept: then messages need not be made.
+  bool is_full() const;
   /// In the order of the text, those of the command line last.
   std::vector<Mistake> sorted() const;
   /// Throws `ProblemFileErrors` if there is any.

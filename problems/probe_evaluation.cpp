@@ -79,8 +79,8 @@ class ProbeEvaluator {
 
   double finite(double value, const Probe& probe) const {
     if (std::isfinite(value)) return value;
-    throw ComputationError(fmt::format("probe '{}' gives a value that is not a finite number",
-                                       probe.name));
+    throw ComputationError(
+        fmt::format("probe '{}' gives a value that is not a finite number", probe.name));
   }
 
   // What an integral or extreme is taken of: components along the boundary's normal are added for
@@ -95,9 +95,9 @@ class ProbeEvaluator {
     const auto& primitives = problem_.region().region().primitives();
     const BoundaryTarget& target = *probe.boundary;
     for (int number : problem_.bounding_primitives()) {
-      const bool named = target.kind == BoundaryTarget::Kind::all ||
-                         std::ranges::find(target.pieces, primitives[number]->name) !=
-                             target.pieces.end();
+      const bool named =
+          target.kind == BoundaryTarget::Kind::all ||
+          std::ranges::find(target.pieces, primitives[number]->name) != target.pieces.end();
       if (!named) continue;
       const std::vector<Field> normal = outward_normal(number, problem_.region());
       ExpressionScope scope = scope_;
@@ -118,8 +118,7 @@ class ProbeEvaluator {
         measure += integrate(inside, rule, place);
       });
     } else {
-      const Field inside =
-          probe.region ? step(implicit(*probe.region, RAlpha{1})) : Field(1.0);
+      const Field inside = probe.region ? step(implicit(*probe.region, RAlpha{1})) : Field(1.0);
       integral = integrate(inside * scalar(probe, scope_), rule);
       measure = integrate(inside, rule);
     }
@@ -140,8 +139,8 @@ class ProbeEvaluator {
     };
     if (probe.over == Probe::Over::boundary) {
       over_pieces(probe, [&](int number, const ExpressionScope& scope) {
-        offer(maximum_over_boundary(sign * scalar(probe, scope), problem_, solution_.rule,
-                                    {number}, probe.boundary->where));
+        offer(maximum_over_boundary(sign * scalar(probe, scope), problem_, solution_.rule, {number},
+                                    probe.boundary->where));
       });
     } else {
       std::optional<Field> inside;
@@ -165,7 +164,15 @@ std::vector<ProbeResult> evaluate_probes(const ScalarProblem& problem,
                                          const ScalarSolution& solution) {
   const ProbeEvaluator evaluator(problem, solution);
   std::vector<ProbeResult> results;
-  for (const Probe& probe : problem.problem().probes) results.push_back(evaluator.evaluate(probe));
+  for (const Probe& probe : problem.problem().probes) {
+    const bool is_extreme = probe.kind == Probe::Kind::max || probe.kind == Probe::Kind::min;
+    for (const Probe& other : problem.problem().probes)
+      if (is_extreme && other.name == probe.name + "_at")
+        throw ProblemFileErrors({Mistake{
+            fmt::format("the name '{}' is taken by the place of probe '{}'", other.name, probe.name),
+            other.place}});
+    results.push_back(evaluator.evaluate(probe));
+  }
   return results;
 }
 

@@ -6,15 +6,16 @@
 
 namespace rfm {
 
-bool is_bounded(const Field& function, const RegionEvaluator& region, const Box& bounds) {
+bool is_regular(const Field& function, const RegionEvaluator& region, const Box& bounds) {
   if (function.is_constant()) return true;
-  const Tape tape({function}, {0}, region.dimension());
+  const Tape tape({function}, {1}, region.dimension());
   const double smallest = 0x1p-6 * bounds.longest_side();
   std::vector<Box> pending{bounds};
   while (!pending.empty()) {
     const Box box = pending.back();
     pending.pop_back();
-    if (tape.value_bounds(box).magnitude() < 1e150) continue;
+    const FunctionBounds known = tape.bounds(box);
+    if (known.smooth && known.value.magnitude() < 1e150) continue;
     if (region.contains(box) == Truth::no) continue;
     if (box.longest_side() <= smallest) return false;
     for (const Box& half : bisect(box, box.longest_axis())) pending.push_back(half);

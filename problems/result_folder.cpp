@@ -97,6 +97,16 @@ void ResultFolder::commit() {
   names_.clear();
 }
 
+void require_writable(const std::string& path) {
+  std::error_code ignored;
+  std::filesystem::path existing = std::filesystem::absolute(path, ignored);
+  while (!std::filesystem::exists(existing, ignored) && existing.has_parent_path() &&
+         existing != existing.parent_path())
+    existing = existing.parent_path();
+  if (!std::filesystem::is_directory(existing, ignored) || ::access(existing.c_str(), W_OK) != 0)
+    throw ComputationError("cannot write results in " + path);
+}
+
 void clean_up_on_interrupt() {
   std::signal(SIGINT, remove_and_end);
   std::signal(SIGTERM, remove_and_end);

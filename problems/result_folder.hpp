@@ -29,6 +29,10 @@ class ResultFolder {
   std::vector<std::string> names_;
 };
 
+/// Throws `ComputationError` if a folder cannot be made or written at `path`, so that no work is
+/// lost. Makes nothing.
+void require_writable(const std::string& path);
+
 /// From now on Ctrl-C (SIGINT) and SIGTERM remove temporary files before they end the program.
 void clean_up_on_interrupt();
 

@@ -5,6 +5,8 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "problems/check.hpp"
@@ -38,6 +40,9 @@ int guarded(const Action& action) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "rfm-solve: the computation failed: it needs more memory than there is\n");
     return computation_failed;
+  } catch (const std::length_error&) {
+    std::fprintf(stderr, "rfm-solve: the computation failed: the grid is larger than memory\n");
+    return computation_failed;
   }
 }
 
@@ -53,6 +58,13 @@ int solve_all(const rfm::CommandLine& command) {
     std::fputs("rfm-solve: --picture is not supported yet\n", stderr);
     return wrong_input;
   }
+  std::set<std::string> folders;
+  for (const std::string& file : command.files)
+    if (!folders.insert(result_folder(command, file)).second) {
+      std::fprintf(stderr, "rfm-solve: two files would write to %s\n",
+                   result_folder(command, file).c_str());
+      return wrong_input;
+    }
   int status = solved;
   for (const std::string& file : command.files) {
     rfm::RunOptions options;

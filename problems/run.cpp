@@ -24,6 +24,11 @@ const Field* exact_solution(const Problem& problem) {
   return exact == problem.verification.exact.end() ? nullptr : &exact->second;
 }
 
+// Names of files may be of any encoding; JSON is UTF-8.
+std::string json_text(const nlohmann::ordered_json& summary) {
+  return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
                   const ScalarSolution& solution) {
   const QuadratureReport& quadrature = solution.rule.report();
@@ -36,18 +41,30 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   for (const std::string& remark : problem.dirichlet().remarks) log.line("note: {}", remark);
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes the level of u; its mean is set to zero");
-  log.line("grid: {} x {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
-           grid.cells(0), grid.cells(1), problem.problem().discretization.degree,
-           quadrature.inside_cells, quadrature.cut_cells, quadrature.smallest_cut_fraction,
-           solution.unknowns);
+  std::string cells;
+  for (int axis = 0; axis < grid.dimension(); ++axis)
+    cells += fmt::format("{}{}", axis > 0 ? " x " : "", grid.cells(axis));
+  log.line("grid: {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
+           cells, problem.problem().discretization.degree, quadrature.inside_cells,
+           quadrature.cut_cells, quadrature.smallest_cut_fraction, solution.unknowns);
   if (quadrature.uncertified.boxes > 0)
     log.line("note: quadrature is a best effort in {} boxes of total measure {:.1e}",
              quadrature.uncertified.boxes, quadrature.uncertified.measure);
   log.line("measures: domain {:.12g}, boundary {:.12g}; divergence theorem holds to {:.1e}",
-           solution.rule.measure(), solution.rule.boundary_measure(),
-           quadrature.divergence_defect);
+           solution.rule.measure(), solution.rule.boundary_measure(), quadrature.divergence_defect);
   log.line("solved: linear residual {:.1e}, boundary residual {:.1e}, energy {:.12g}",
            solution.linear.relative_residual, solution.boundary_residual, solution.energy);
+  double largest_datum = 0;
+  for (const PieceCondition& condition : problem.dirichlet().weakly)
+    largest_datum = std::max(largest_datum,
+                             maximum(condition.data[0], solution.rule,
+                                     {Contribution::Place::boundary, {condition.primitive}}));
+  if (!problem.dirichlet().weakly.empty() &&
+      solution.boundary_residual > 1e-2 * std::max(largest_datum, 1e-300))
+    log.line("note: values enforced weakly are missed by up to {:.2g}: the grid is too coarse there",
+             solution.boundary_residual);
+  if (solution.linear.method == LinearSolution::Method::ldlt && problem.dirichlet().weakly.empty())
+    log.line("note: the energy is not positive definite (a negative coefficient?); u is stationary");
   if (solution.linear.dropped > 0)
     log.line("note: {} splines without support were dropped", solution.linear.dropped);
 }
@@ -88,9 +105,8 @@ void log_convergence(RunLog& log, const std::vector<ConvergenceRow>& rows) {
       return fmt::format("{:.2f}", observed_order((*rows[i - 1].errors).*norm, (*row.errors).*norm,
                                                   rows[i - 1].cells, row.cells));
     };
-    log.line("{:>7} {:>9} {:>12.3e} {:>6} {:>12.3e} {:>6}", row.cells, row.unknowns,
-             row.errors->l2, order(&SolutionErrors::l2), row.errors->h1,
-             order(&SolutionErrors::h1));
+    log.line("{:>7} {:>9} {:>12.3e} {:>6} {:>12.3e} {:>6}", row.cells, row.unknowns, row.errors->l2,
+             order(&SolutionErrors::l2), row.errors->h1, order(&SolutionErrors::h1));
   }
 }
 
@@ -128,9 +144,8 @@ void check_expectations(RunReport& report, const Problem& problem,
   for (const Expectation& expectation : problem.verification.expectations) {
     const auto value = find_quantity(summary, expectation.quantity);
     if (!value)
-      throw ProblemFileErrors(
-          {Mistake{fmt::format("there is no result '{}'", expectation.quantity),
-                   expectation.place}});
+      throw ProblemFileErrors({Mistake{fmt::format("there is no result '{}'", expectation.quantity),
+                                       expectation.place}});
     report.expectations.push_back(check(expectation, *value));
     const ExpectationResult& result = report.expectations.back();
     log.line("expect {}: {:.12g}, expected {:.12g}, error {:.1e}: {}", result.quantity,
@@ -171,6 +186,7 @@ int run_problem(const std::string& file, const RunOptions& options) {
   const Stopwatch total;
   RunLog log(options.quiet || options.json);
   RunReport report;
+  require_writable(options.output);
   const Problem problem = read_problem(file, options.overrides);
   report.seconds.read = total.seconds();
 
@@ -223,10 +239,10 @@ int run_problem(const std::string& file, const RunOptions& options) {
     add_expectations(summary, report);
   }
   log.line("{:.2f} s; results in {}", report.seconds.total, folder.path());
-  folder.write_text("summary.json", summary.dump(2) + "\n");
+  folder.write_text("summary.json", json_text(summary) + "\n");
   folder.write_text("log.txt", log.text());
   folder.commit();
-  if (options.json) std::puts(summary.dump(2).c_str());
+  if (options.json) std::puts(json_text(summary).c_str());
   return report.all_ok() ? 0 : 1;
 }
 

@@ -14,7 +14,7 @@ struct RunOptions {
   bool verify = true;
   /// Grids in all, each with twice the cells of the one before; 1 is the file's own.
   int converge = 1;
-  bool json = false;   ///< print summary.json instead of the log
+  bool json = false;  ///< print summary.json instead of the log
   bool quiet = false;
 };
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/r_functions.hpp"
+#include "core/tape.hpp"
 
 namespace rfm {
 namespace {
@@ -50,17 +51,18 @@ Coefficient normal_conductivity(const ScalarCoefficients& coefficients, int dime
   return sum;
 }
 
-bool isotropic(const ScalarCoefficients& coefficients, int dimension) {
+}  // namespace
+
+bool is_isotropic(const ScalarCoefficients& coefficients, int dimension) {
   for (int i = 0; i < dimension; ++i)
     for (int j = 0; j < dimension; ++j)
       if (i != j && !coefficients.conductivity[i * dimension + j].is_constant(0)) return false;
   for (int i = 1; i < dimension; ++i)
-    if (!coefficients.conductivity[i * dimension + i].same_as(coefficients.conductivity[0]))
+    if (!same_expression(coefficients.conductivity[i * dimension + i],
+                         coefficients.conductivity[0]))
       return false;
   return true;
 }
-
-}  // namespace
 
 ScalarCoefficients scalar_coefficients(const Problem& problem) {
   const bool heat = problem.physics.type == PhysicsType::heat;
@@ -78,6 +80,13 @@ std::vector<LevelFunction> coefficient_interfaces(const Problem& problem) {
     if (material.region)
       for (const auto& primitive : material.region->primitives())
         interfaces.emplace_back(primitive->level, problem.dimension);
+  for (const Probe& probe : problem.probes) {
+    if (probe.region)
+      for (const auto& primitive : probe.region->primitives())
+        interfaces.emplace_back(primitive->level, problem.dimension);
+    if (probe.boundary && probe.boundary->where)
+      interfaces.emplace_back(*probe.boundary->where, problem.dimension);
+  }
   for (const Condition& condition : problem.conditions)
     for (const BoundaryTarget& target : condition.targets)
       if (target.where) interfaces.emplace_back(*target.where, problem.dimension);
@@ -105,7 +114,7 @@ Contribution volume_energy(const ScalarCoefficients& coefficients, int dimension
 }
 
 std::vector<Contribution> natural_energy(const PieceCondition& condition,
-                                         const ScalarCoefficients& coefficients, int dimension) {
+                                         const ScalarCoefficients& coefficients) {
   QuadraticEnergy energy;
   const Slot u{0, {}};
   switch (condition.kind) {
@@ -120,11 +129,9 @@ std::vector<Contribution> natural_energy(const PieceCondition& condition,
       break;
     }
     case Condition::Kind::robin: {
-      const Coefficient k = isotropic(coefficients, dimension)
-                                ? Coefficient(coefficients.conductivity[0])
-                                : normal_conductivity(coefficients, dimension);
-      energy.add_stiffness(u, u, k * Coefficient(condition.data[0] / condition.data[1]));
-      energy.add_load(u, k * Coefficient(condition.data[2] / condition.data[1]));
+      const Field& k = coefficients.conductivity[0];
+      energy.add_stiffness(u, u, k * condition.data[0] / condition.data[1]);
+      energy.add_load(u, k * condition.data[2] / condition.data[1]);
       break;
     }
     case Condition::Kind::value:
@@ -133,9 +140,8 @@ std::vector<Contribution> natural_energy(const PieceCondition& condition,
   return {on_piece(std::move(energy), condition)};
 }
 
-Contribution nitsche_energy(const PieceCondition& condition,
-                            const ScalarCoefficients& coefficients, int dimension,
-                            double penalty) {
+Contribution nitsche_energy(const PieceCondition& condition, const ScalarCoefficients& coefficients,
+                            int dimension, double penalty) {
   QuadraticEnergy energy;
   const Slot u{0, {}};
   const Coefficient g = condition.data[0];
@@ -145,8 +151,8 @@ Contribution nitsche_energy(const PieceCondition& condition,
   for (int j = 0; j < dimension; ++j) {
     Coefficient along;  // (Kn)_j, the coefficient of ∂u/∂x_j in n·K∇u
     for (int i = 0; i < dimension; ++i)
-      along = along + Coefficient::normal(i) *
-                          Coefficient(coefficients.conductivity[i * dimension + j]);
+      along = along +
+              Coefficient::normal(i) * Coefficient(coefficients.conductivity[i * dimension + j]);
     energy.add_stiffness(u, {0, unit_index(j)}, -along);
     energy.add_load({0, unit_index(j)}, -along * g);
   }

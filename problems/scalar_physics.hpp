@@ -19,7 +19,11 @@ struct ScalarCoefficients {
 /// The coefficients of `poisson` and `heat` as fields, materials chosen point by point.
 ScalarCoefficients scalar_coefficients(const Problem& problem);
 
-/// Functions across whose zeros coefficients or conditions jump: quadrature splits cells there.
+/// Whether K is a multiple of the unit matrix.
+bool is_isotropic(const ScalarCoefficients& coefficients, int dimension);
+
+/// Functions across whose zeros coefficients, conditions or the sets of probes jump: quadrature
+/// splits cells there.
 std::vector<LevelFunction> coefficient_interfaces(const Problem& problem);
 
 /// K ∇f.
@@ -31,16 +35,15 @@ Contribution volume_energy(const ScalarCoefficients& coefficients, int dimension
 
 /// The boundary terms of a natural condition, with ∂u/∂n the outward derivative: `flux` q = n·K∇u
 /// gives −∫ q u; `convection` n·K∇u = h (u∞ − u) gives ∫ (½ h u² − h u∞ u); `robin`
-/// a u + b ∂u/∂n = c is n·K∇u = k (c − a u)/b with k = n·Kn (exact where Kn is along n, so for
-/// scalar conductivity). Nothing for a homogeneous flux.
+/// a u + b ∂u/∂n = c is n·K∇u = k (c − a u)/b for K = k times the unit matrix (with another K the
+/// condition is not natural: it does not follow from an energy). Nothing for a homogeneous flux.
 std::vector<Contribution> natural_energy(const PieceCondition& condition,
-                                         const ScalarCoefficients& coefficients, int dimension);
+                                         const ScalarCoefficients& coefficients);
 
 /// Nitsche's terms for u = g: −∫ (u − g) n·K∇u + ½ ∫ β k (u − g)², with β the `penalty` per length.
 /// Symmetric and consistent, so of full order; stable for β large enough, and solved as an
 /// indefinite system where cut cells make it not so (the solution stays accurate).
-Contribution nitsche_energy(const PieceCondition& condition,
-                            const ScalarCoefficients& coefficients, int dimension,
-                            double penalty);
+Contribution nitsche_energy(const PieceCondition& condition, const ScalarCoefficients& coefficients,
+                            int dimension, double penalty);
 
 }  // namespace rfm

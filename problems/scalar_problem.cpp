@@ -98,16 +98,38 @@ ScalarProblem::ScalarProblem(const Problem& problem)
     if (probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_);
+  check_within_grid(probe);
   check_parts(problem, region_, bounding_primitives_, probe);
+  check_materials(problem, probe);
+  if (!is_isotropic(coefficients_, problem.dimension)) check_no_robin();
   std::vector<bool> regular;
   for (const PieceCondition& condition : conditions_)
-    regular.push_back(condition.kind != Condition::Kind::value ||
-                      condition.data[0].is_constant() ||
-                      (is_bounded(condition.data[0], region_, bounds_) &&
-                       is_defined(condition.data[0], probe)));
+    regular.push_back(
+        condition.kind != Condition::Kind::value || condition.data[0].is_constant() ||
+        (is_regular(condition.data[0], region_, bounds_) && is_defined(condition.data[0], probe)));
   plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular);
   structure_ = plan_.by_structure.empty() ? Structure::undetermined()
                                           : rfm::dirichlet(plan_.data, plan_.weight.function);
+}
+
+void ScalarProblem::check_within_grid(const DomainRule& rule) const {
+  // A domain that is cut off by the box has a boundary without points: the divergence theorem fails.
+  if (rule.report().divergence_defect <= 1e-2 * rule.measure()) return;
+  const Grid box = grid();
+  std::string text;
+  for (int axis = 0; axis < problem_.dimension; ++axis)
+    text += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis],
+                        box.box().low[axis], box.box().high[axis]);
+  refuse(fmt::format("the domain reaches beyond the box of the grid ({})", text),
+         domain_place(problem_));
+}
+
+void ScalarProblem::check_no_robin() const {
+  for (const PieceCondition& condition : conditions_)
+    if (condition.kind == Condition::Kind::robin)
+      refuse("robin prescribes the plain normal derivative, which does not follow from an energy "
+             "where the diffusivity is a matrix; use flux or convection (n.K grad u)",
+             problem_.conditions[condition.condition].place);
 }
 
 DomainRule ScalarProblem::rule(const Grid& grid, int more_points) const {
@@ -124,12 +146,14 @@ std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   const int dimension = problem_.dimension;
   std::vector<Contribution> list{volume_energy(coefficients_, dimension)};
   for (const PieceCondition& condition : conditions_)
-    for (Contribution& natural : natural_energy(condition, coefficients_, dimension))
+    for (Contribution& natural : natural_energy(condition, coefficients_))
       list.push_back(std::move(natural));
   // The penalty of Nitsche's method scales as p²/h; 20 keeps the boundary residual small against
   // the error inside.
   const int degree = problem_.discretization.degree;
-  const double penalty = 20.0 * degree * degree / grid.spacing(0);
+  double spacing = grid.spacing(0);
+  for (int axis = 1; axis < dimension; ++axis) spacing = std::min(spacing, grid.spacing(axis));
+  const double penalty = 20.0 * degree * degree / spacing;
   for (const PieceCondition& condition : plan_.weakly)
     list.push_back(nitsche_energy(condition, coefficients_, dimension, penalty));
   return list;
@@ -149,7 +173,7 @@ void ScalarProblem::check_compatible(const DomainRule& rule) const {
   double resultant = integrate(coefficients_.source, rule);
   double size = integrate(abs(coefficients_.source), rule);
   for (const PieceCondition& condition : conditions_)
-    for (const Contribution& natural : natural_energy(condition, coefficients_, problem_.dimension))
+    for (const Contribution& natural : natural_energy(condition, coefficients_))
       for (const auto& load : natural.energy.load()) {
         const IntegrationPlace place{Contribution::Place::boundary, natural.numbers};
         const Coefficient part =

@@ -65,6 +65,8 @@ class ScalarProblem {
  private:
   std::vector<Contribution> contributions(const Grid& grid) const;
   bool fixed_up_to_constant() const;
+  void check_within_grid(const DomainRule& rule) const;
+  void check_no_robin() const;
   void check_compatible(const DomainRule& rule) const;
 
   const Problem& problem_;

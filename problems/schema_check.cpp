@@ -253,6 +253,7 @@ class StructureCheck {
   // Reports a key that the map does not have; returns the key that it probably means.
   std::string refuse_key(const DocumentNode::Entry& entry, const SchemaKey& key,
                          const std::string& label, const std::set<std::string>& active) {
+    if (mistakes_.is_full()) return {};
     const std::string in = label.empty() ? "" : " in " + label;
     const std::vector<std::string> known = applicable_keys(key, active);
     const std::string expected = "; expected: " + joined(known);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/nearest_name.hpp"
@@ -139,13 +140,39 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     const DocumentNode* value = values_.find(node, key);
     return value ? values_.point(*value).value_or(otherwise) : otherwise;
   };
-  if (kind == "half_plane") {
-    Point normal = point("normal", {1, 0});
-    if (normal[0] == 0 && normal[1] == 0) {
-      values_.mistakes.add("a normal of length 0 has no direction", node.find("normal")->place);
-      normal = {1, 0};
-    }
-    return half_plane(point("point", {0, 0}), normal);
+  const auto direction = [&](const DocumentNode& map, const char* key) {
+    const DocumentNode* value = values_.find(map, key);
+    const Point given = value ? values_.point(*value).value_or(Point{1, 0, 0}) : Point{1, 0, 0};
+    if (given != Point{0, 0, 0}) return given;
+    values_.mistakes.add(std::string(key == std::string("axis") ? "an axis" : "a normal") +
+                             " of length 0 has no direction",
+                         value->place);
+    return Point{1, 0, 0};
+  };
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (kind == "half_plane") return half_plane(point("point", {0, 0}), direction(node, "normal"));
+  if (kind == "half_space") return half_space(point("point", {0, 0}), direction(node, "normal"));
+  if (kind == "sphere") return sphere(point("center", {0, 0}), number("radius", 1));
+  if (kind == "ellipsoid") {
+    const Point center = point("center", {0, 0}), radii = point("radii", {1, 1, 1});
+    const DocumentNode* rotate = values_.find(node, "rotate");
+    if (!rotate) return ellipsoid(center, radii);
+    const DocumentNode* angle = values_.find(*rotate, "angle");
+    return ellipsoid(center, radii, direction(*rotate, "axis"),
+                     angle ? values_.number(*angle).value_or(0) * std::numbers::pi / 180 : 0.0);
+  }
+  if (kind == "cylinder")
+    return cylinder(point("center", {0, 0}), direction(node, "axis"), number("radius", 1),
+                    number("length", infinite));
+  if (kind == "cone")
+    return cone(point("apex", {0, 0}), direction(node, "axis"),
+                number("angle", 45) * std::numbers::pi / 180, number("length", infinite));
+  if (kind == "torus") {
+    const double radius = number("radius", 2), tube = number("tube", 1);
+    if (tube < radius) return torus(point("center", {0, 0}), direction(node, "axis"), radius, tube);
+    values_.mistakes.add("the tube of a torus must be thinner than its radius",
+                         values_.find(node, "tube")->place);
+    return stand_in(3);
   }
   if (kind == "circle") return circle(point("center", {0, 0}), number("radius", 1));
   if (kind == "ellipse")

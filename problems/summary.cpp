@@ -105,7 +105,8 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     summary["convergence"].push_back(std::move(entry));
   }
   for (const RunReport::OrderCheck& check : report.orders) {
-    ordered_json entry{{"norm", check.norm}, {"order", check.order}, {"minimum", check.bounds.least}};
+    ordered_json entry{
+        {"norm", check.norm}, {"order", check.order}, {"minimum", check.bounds.least}};
     if (check.bounds.most) entry["maximum"] = *check.bounds.most;
     entry["ok"] = check.ok;
     summary["orders"].push_back(std::move(entry));
@@ -117,10 +118,14 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
                       {"dropped_splines", solution.linear.dropped}};
   summary["weight"] = problem.dirichlet().weight.formula;
   const RunReport::Seconds& seconds = report.seconds;
-  summary["seconds"] = {{"read", seconds.read},           {"prepare", seconds.prepare},
-                        {"quadrature", seconds.quadrature}, {"assembly", seconds.assembly},
-                        {"solve", seconds.solve},         {"verify", seconds.verify},
-                        {"output", seconds.output},       {"total", seconds.total}};
+  summary["seconds"] = {{"read", seconds.read},
+                        {"prepare", seconds.prepare},
+                        {"quadrature", seconds.quadrature},
+                        {"assembly", seconds.assembly},
+                        {"solve", seconds.solve},
+                        {"verify", seconds.verify},
+                        {"output", seconds.output},
+                        {"total", seconds.total}};
   summary["peak_memory_mb"] = peak_memory_mb();
   return summary;
 }
@@ -135,23 +140,20 @@ void add_expectations(ordered_json& summary, const RunReport& report) {
 }
 
 std::string probes_csv(const std::vector<ProbeResult>& probes) {
-  std::string text;
+  std::string rows;
+  bool has_lines = false;
   for (const ProbeResult& result : probes) {
-    if (result.probe->kind != Probe::Kind::line || result.line_values.empty()) continue;
-    text += "probe,x,y,z";
-    for (const ProbeValue& value : result.line_values[0])
-      for (std::size_t c = 0; c < value.components.size(); ++c)
-        text += fmt::format(",\"{}{}\"", value.name, value.is_vector ? fmt::format("[{}]", c) : "");
-    text += "\n";
-    for (std::size_t i = 0; i < result.line_points.size(); ++i) {
+    has_lines = has_lines || result.probe->kind == Probe::Kind::line;
+    for (std::size_t i = 0; i < result.line_values.size(); ++i) {
       const Point& at = result.line_points[i];
-      text += fmt::format("{},{},{},{}", result.probe->name, at[0], at[1], at[2]);
       for (const ProbeValue& value : result.line_values[i])
-        for (const double component : value.components) text += fmt::format(",{}", component);
-      text += "\n";
+        for (std::size_t c = 0; c < value.components.size(); ++c)
+          rows += fmt::format("{},{},{},{},\"{}{}\",{}\n", result.probe->name, at[0], at[1], at[2],
+                              value.name, value.is_vector ? fmt::format("[{}]", c) : "",
+                              value.components[c]);
     }
   }
-  return text;
+  return has_lines ? "probe,x,y,z,quantity,value\n" + rows : "";
 }
 
 }  // namespace rfm

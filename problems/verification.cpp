@@ -73,11 +73,9 @@ ExpectationResult check(const Expectation& expectation, double value) {
   const double absolute = std::fabs(value - expectation.value);
   result.relative_error =
       expectation.value != 0 ? absolute / std::fabs(expectation.value) : absolute;
-  const bool none = !expectation.tolerance && !expectation.relative_tolerance;
-  const double relative_tolerance = expectation.relative_tolerance.value_or(none ? 1e-6 : -1);
-  result.ok = absolute <= expectation.tolerance.value_or(-1) ||
-              absolute <= relative_tolerance * std::fabs(expectation.value) ||
-              (none && expectation.value == 0 && absolute <= 1e-6);
+  result.ok = (expectation.tolerance && absolute <= *expectation.tolerance) ||
+              (expectation.relative_tolerance &&
+               absolute <= *expectation.relative_tolerance * std::fabs(expectation.value));
   return result;
 }
 

@@ -47,8 +47,7 @@ struct ExpectationResult {
 /// if there is no such number.
 std::optional<double> find_quantity(const nlohmann::ordered_json& summary, const std::string& path);
 
-/// Holds an expectation against a value. With both tolerances either suffices; without any, 10⁻⁶
-/// relative. NaN never satisfies.
+/// Holds an expectation against a value. With both tolerances either suffices. NaN never satisfies.
 ExpectationResult check(const Expectation& expectation, double value);
 
 }  // namespace rfm

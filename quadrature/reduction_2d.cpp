@@ -54,7 +54,7 @@ void Reduction2D::add_ends(int surface, const PlaneProofs& proofs) {
       if (crossing.exists) found_.push_back(crossing.position);
     }
     if (is_vertical(surface)) standing_.insert(standing_.end(), found_.begin(), found_.end());
-    add_found(2 * surface + end);
+    add_found(end_cause(surface, end));
   }
 }
 
@@ -83,7 +83,7 @@ void Reduction2D::add_crossings(int first, int second, bool at_most_once) {
     }
   }
   if (found_.empty()) return;
-  add_found(2 * ActiveSet::capacity * (first + 1) + second);
+  add_found(crossing_cause(first, second));
   std::ranges::sort(breakpoints_, {}, &Breakpoint::position);
 }
 

@@ -45,6 +45,11 @@ class Reduction2D {
     int cause = side_of_box;
   };
 
+  static constexpr int end_cause(int surface, int end) { return 2 * surface + end; }
+  static constexpr int crossing_cause(int first, int second) {
+    return 2 * ActiveSet::capacity * (first + 1) + second;
+  }
+
   /// `bounds[i]` encloses surface i over the rectangle. Memory of earlier ones is reused.
   void build(const Plane& plane, const ActiveSet& active, std::span<const FunctionBounds> bounds,
              const PlaneProofs& proofs, const Frame* frame = nullptr);

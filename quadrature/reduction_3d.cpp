@@ -12,11 +12,12 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   active_ = &active;
   bounds_ = bounds;
   height_ = height;
-  certified_ = true;
+  certified_ = contacts_resolved_ = true;
   if (!find_curves() && !options.best_effort) return Outcome::constant_surface;
   if (!choose_inner(options)) return Outcome::not_reduced;
   set_proofs();
   find_breakpoints();
+  if (!contacts_resolved_ && !options.best_effort) return Outcome::not_reduced;
   find_walls(
       standing_, box.low[outer()], box.high[outer()],
       [&](double place) { return outer_signs(place); }, walls_);

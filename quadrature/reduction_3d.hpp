@@ -79,6 +79,7 @@ class Reduction3D {
   void add_face_breakpoints(double inner_coordinate);
   void add_crossings_of_traces();
   void add_changes_of_order();
+  bool changes_sign(const Curve& crossing) const;
   SurfaceSigns outer_signs(double place) const;
   Plane base_plane() const { return {box_, outer(), inner_}; }
   PlaneGraph base_graph(const Curve& curve) const;
@@ -99,6 +100,8 @@ class Reduction3D {
   std::vector<Wall> walls_;
   SurfaceSigns outer_only_ = 0;
   bool certified_ = true;
+  /// Every crossing curve left to isolation is a contact, or meets every section once.
+  bool contacts_resolved_ = true;
   Reduction2D section_;
 };
 

@@ -63,7 +63,8 @@ void Reduction3D::add_changes_of_order() {
                     (other.first != crossing.first && other.first != crossing.second);
            });
   });
-  if (!any) return;
+  const auto is_isolated = [](const Curve& curve) { return curve.meeting == Meeting::unknown; };
+  if (!any && std::ranges::none_of(curves_, is_isolated)) return;
   const auto causes_in = [&](double place) {
     std::vector<Breakpoint> causes = section(place).breakpoints();
     std::erase_if(causes, [](const Breakpoint& b) { return b.cause == Breakpoint::side_of_box; });
@@ -77,6 +78,17 @@ void Reduction3D::add_changes_of_order() {
                                        from + (1 - 1e-7) * width};
     std::array<std::vector<Breakpoint>, 3> orders;
     for (int i = 0; i < 3; ++i) orders[i] = causes_in(places[i]);
+    // A crossing curve that was left to isolation is harmless where the surfaces only touch. Where
+    // they cross, every section has to meet it in the same way, at most once; otherwise it turns or
+    // branches somewhere in the box.
+    for (const Curve& curve : curves_) {
+      if (!is_isolated(curve) || !changes_sign(curve)) continue;
+      std::array<long, 3> counts;
+      for (int i = 0; i < 3; ++i)
+        counts[i] = std::ranges::count(
+            orders[i], Reduction2D::crossing_cause(curve.first, curve.second), &Breakpoint::cause);
+      contacts_resolved_ &= counts[0] <= 1 && counts[0] == counts[1] && counts[1] == counts[2];
+    }
     for (int i = 0; i < 2; ++i)
       for (std::size_t a = 0; a < orders[i].size(); ++a)
         for (std::size_t b = a + 1; b < orders[i].size(); ++b) {
@@ -99,6 +111,25 @@ void Reduction3D::add_changes_of_order() {
   breakpoints_.insert(breakpoints_.end(), found_.begin(), found_.end());
   found_.clear();
   std::ranges::sort(breakpoints_);
+}
+
+// Whether samples of the difference of the heights of two graphs have both signs.
+bool Reduction3D::changes_sign(const Curve& crossing) const {
+  constexpr int samples = 5;
+  const double same = 1e-12 * box_.length(height_);
+  bool positive = false, negative = false;
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      LineSegment line{{}, height_, box_.low[height_], box_.high[height_]};
+      line.through[outer()] = box_.low[outer()] + box_.length(outer()) * (i + 0.5) / samples;
+      line.through[inner_] = box_.low[inner_] + box_.length(inner_) * (j + 0.5) / samples;
+      const Crossing p = find_crossing(*active_->surfaces[crossing.first], line);
+      const Crossing q = find_crossing(*active_->surfaces[crossing.second], line);
+      if (!p.exists || !q.exists) continue;
+      positive |= p.position - q.position > same;
+      negative |= p.position - q.position < -same;
+    }
+  return positive && negative;
 }
 
 }  // namespace rfm

@@ -54,20 +54,7 @@ void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
   if (active.count == 0) return visitor_->full(box, frame_);
   const std::span known(bounds.data(), static_cast<std::size_t>(active.count));
   const HeightDirections heights = find_heights(box, known, flatness(box.dimension, depth));
-  const bool give_up = depth >= max_depth_ || bisections_ >= options_.max_bisections;
-  if (box.dimension == 3 && (heights.proven_count > 0 || give_up)) {
-    if (reduce_space(box, active, known, heights, depth)) return;
-  } else if (heights.proven_count > 0 || give_up) {
-    const bool proven = heights.proven_count > 0;
-    const int height = proven ? heights.proven[0] : heights.likely;
-    if (box.dimension == 1)
-      visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
-    else
-      plane_.build({box, 1 - height, height}, active, known, PlaneProofs(), frame_);
-    if (box.dimension == 2) visitor_->reduced(plane_);
-    if (!proven || (box.dimension == 2 && !plane_.certified())) add_uncertified(box);
-    return;
-  }
+  if (reduced(box, active, known, heights, depth)) return;
   const bool smooth =
       std::all_of(known.begin(), known.end(), [](const FunctionBounds& b) { return b.smooth; });
   if (box.dimension == 2 && depth >= options_.rotation_depth && smooth &&
@@ -102,10 +89,29 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   return true;
 }
 
-// Tries the heights in turn; false if the box has to be bisected.
-bool Subdivision::reduce_space(const Box& box, const ActiveSet& active,
-                               std::span<const FunctionBounds> bounds,
-                               const HeightDirections& heights, int depth) {
+// False if the box has to be bisected.
+bool Subdivision::reduced(const Box& box, const ActiveSet& active,
+                          std::span<const FunctionBounds> bounds, const HeightDirections& heights,
+                          int depth) {
+  const bool proven = heights.proven_count > 0;
+  if (!proven && may_bisect(depth)) return false;
+  if (box.dimension == 3) return space_reduced(box, active, bounds, heights, depth);
+  if (box.dimension == 2) {
+    const int height = proven ? heights.proven[0] : heights.likely;
+    plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
+    visitor_->reduced(plane_);
+    if (!proven || !plane_.certified()) add_uncertified(box);
+  } else {
+    visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
+    if (!proven) add_uncertified(box);
+  }
+  return true;
+}
+
+// Tries the heights in turn.
+bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
+                                std::span<const FunctionBounds> bounds,
+                                const HeightDirections& heights, int depth) {
   Reduction3D::Options options;
   options.flatness = flatness(box.dimension, depth);
   options.allow_contacts = depth >= options_.contact_depth;
@@ -123,7 +129,7 @@ bool Subdivision::reduce_space(const Box& box, const ActiveSet& active,
     if (!space_.certified()) add_uncertified(box);
     return true;
   }
-  if (depth < max_depth_ && bisections_ < options_.max_bisections) return false;
+  if (may_bisect(depth)) return false;
   options.best_effort = true;
   space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
                options);

@@ -1,5 +1,6 @@
 #include "solvers/linear_solver.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -74,6 +75,12 @@ LinearSolution solve(const LinearSystem& system, const LinearSolverOptions& opti
   const ScaledSystem scaled{scaling.apply(system.matrix),
                             scaling.factors.cwiseProduct(system.right_hand_side),
                             system.elimination_order};
+  // A function without energy that carries a load has no stationary point.
+  for (Eigen::Index i = 0; i < system.right_hand_side.size(); ++i)
+    if (scaling.factors[i] == 0 && std::abs(system.right_hand_side[i]) > 1e-150)
+      throw ComputationError(
+          "the system of equations is singular: a part of the solution has a load but no stiffness "
+          "(is a coefficient zero there?)");
   LinearSolution result;
   result.dropped = scaling.dropped;
   const Eigen::VectorXd solution = solve_scaled(scaled, options, result);

@@ -11,7 +11,7 @@ namespace rfm {
 /// their corners are VTK's.
 struct FieldMesh {
   std::vector<Point> points;
-  std::vector<int> corners;         ///< cell after cell
+  std::vector<int> corners;        ///< cell after cell
   std::vector<int> cell_begin{0};  ///< cell i has corners cell_begin[i] … cell_begin[i + 1] − 1
   std::vector<unsigned char> cell_types;
   struct PointData {

@@ -146,6 +146,9 @@ TEST(Quadric, TheOriginIsTheCentreWhereThereIsOne) {
   const auto hyperbola = as_quadric((x - 5) * (y + 7) - 1, 2);
   EXPECT_NEAR(hyperbola->origin[0], 5, 1e-14);
   EXPECT_NEAR(hyperbola->origin[1], -7, 1e-14);
+  // The nearly straight keeps the coordinate origin.
+  const auto arc = as_quadric(x + y - 1e-12 * x * x, 2);
+  EXPECT_NEAR(arc->value({1, -1}), -1e-12, 2e-16);
   // A cylinder has a line of centres, a parabola none.
   EXPECT_TRUE(as_quadric(1 - pow(x + z, 2) - pow(y - 4, 2), 3));
   EXPECT_TRUE(as_quadric(y - pow(x - 3, 2), 2));

@@ -227,7 +227,7 @@ conditions: [{at: disk, value: 0}]
 TEST(ReadProblem, AShortFileHasGoodDefaults) {
   const Problem problem = read(disk);
   EXPECT_EQ(problem.discretization.degree, 3);
-  EXPECT_THAT(problem.discretization.cells, ElementsAre(32));
+  EXPECT_THAT(problem.discretization.cells, ElementsAre(64));
   EXPECT_EQ(value(problem.physics.coefficients.at("diffusivity").entries[0]), 1);
   EXPECT_EQ(value(problem.physics.coefficients.at("source").entries[0]), 0);
   EXPECT_THAT(problem.outputs.fields, ElementsAre("u"));
@@ -266,6 +266,30 @@ TEST(ReadProblem, AShapeMayBeMadeOfOthersAndOfTheirFunctions) {
   EXPECT_TRUE(domain.contains(Point{0.6, 0}));
   EXPECT_FALSE(domain.contains(Point{-0.6, 0}));
   EXPECT_FALSE(domain.contains(Point{0.4, 0}));  // omega = 0.375 on the circle of radius 1/2
+}
+
+TEST(ReadProblem, AnEllipseIsTurnedByDegreesCounterClockwise) {
+  const Problem problem =
+      read(disk, {"geometry.shapes.disk={ellipse: {center: [1, 0], radii: [2, 1], angle: 30}}"});
+  const RegionEvaluator domain(*problem.domain);
+  const double cosine = std::sqrt(3.0) / 2, sine = 0.5;
+  for (const double along : {1.99, 2.01})
+    EXPECT_EQ(domain.contains(Point{1 + along * cosine, along * sine}), along < 2);
+  for (const double across : {0.99, 1.01})
+    EXPECT_EQ(domain.contains(Point{1 - across * sine, across * cosine}), across < 1);
+}
+
+TEST(ReadProblem, AProbeOverAShapeThatBoundsTheDomainIsOverItsBoundary) {
+  const Problem problem = read(disk, {"probes={a: {integral: u, over: disk}, b: {integral: flux.n, "
+                                      "over: boundary}}"});
+  EXPECT_EQ(problem.probes[0].over, Probe::Over::boundary);
+  EXPECT_THAT(problem.probes[0].boundary->pieces, ElementsAre("disk"));
+  EXPECT_EQ(problem.probes[1].boundary->kind, BoundaryTarget::Kind::all);
+}
+
+TEST(ReadProblem, AnArgumentHidesAParameterOfTheSameName) {
+  const Problem problem = read(disk, {"functions={f(k): k + 1}", "parameters={k: f(2)}"});
+  EXPECT_EQ(problem.parameters.at("k"), 3);
 }
 
 TEST(ReadProblem, OneMistakeInADefinitionIsReportedOnce) {

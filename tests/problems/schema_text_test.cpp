@@ -17,7 +17,7 @@ TEST(ExplainKey, TellsWhatTheTableKnows) {
             "  takes: a number\n"
             "  range: greater than 0\n"
             "  presence: required\n");
-  EXPECT_THAT(explain_key("discretization.basis.cells"), HasSubstr("default: 32"));
+  EXPECT_THAT(explain_key("discretization.basis.cells"), HasSubstr("default: 64"));
   EXPECT_THAT(explain_key("physics.type"), HasSubstr("words: poisson, heat\n"));
   EXPECT_THAT(explain_key("physics.conductivity"), HasSubstr("goes with: heat"));
   EXPECT_THAT(explain_key("geometry.shapes.polygon"), HasSubstr("(not supported yet)"));

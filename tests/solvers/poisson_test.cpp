@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Line, Poisson,
                                           testing::Bool()));
 
 INSTANTIATE_TEST_SUITE_P(Space, Poisson,
-                         testing::Combine(testing::Values(3), testing::Values(1, 2, 3),
+                         testing::Combine(testing::Values(3), testing::Values(1, 2),
                                           testing::Bool()));
 
 TEST_P(Poisson, ConvergesWithTheOrderOfItsSplinesAndNoFaster) {

@@ -1,0 +1,165 @@
+#include "core/bounding_box.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "core/primitives.hpp"
+
+namespace rfm {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double pi = std::numbers::pi;
+const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+
+Box bounds_of(const Region& region) { return bounding_box(RegionEvaluator(region)); }
+
+// All sides within `tolerance` of those expected.
+void expect_box(const Region& region, const Point& low, const Point& high, double tolerance) {
+  const Box box = bounds_of(region);
+  ASSERT_EQ(box.dimension, region.dimension());
+  for (int axis = 0; axis < box.dimension; ++axis) {
+    EXPECT_NEAR(box.low[axis], low[axis], tolerance) << "low side of axis " << axis;
+    EXPECT_NEAR(box.high[axis], high[axis], tolerance) << "high side of axis " << axis;
+  }
+}
+
+Region turned_square(double half, double angle, const Point& center) {
+  const auto side = [&](double t) {
+    return half_plane({center[0] + half * std::cos(t), center[1] + half * std::sin(t)},
+                      {-std::cos(t), -std::sin(t)});
+  };
+  return side(angle) & side(angle + pi / 2) & side(angle + pi) & side(angle - pi / 2);
+}
+
+TEST(BoundingBox, OfADisk) { expect_box(circle({0.3, -0.2}, 0.7), {-0.4, -0.9}, {1, 0.5}, 2e-12); }
+
+TEST(BoundingBox, OfARingIsThatOfItsOuterCircle) {
+  expect_box(circle({0, 0}, 1) - circle({0.1, 0.2}, 0.4), {-1, -1}, {1, 1}, 3e-12);
+}
+
+TEST(BoundingBox, OfATurnedEllipse) {
+  // The extreme of x over (a cos t, b sin t) turned by φ is √(a² cos²φ + b² sin²φ).
+  const double a = 1.5, b = 0.4, angle = 0.6, c = std::cos(angle), s = std::sin(angle);
+  const double width = std::hypot(a * c, b * s), height = std::hypot(a * s, b * c);
+  expect_box(ellipse({0.3, -0.2}, {a, b}, angle), {0.3 - width, -0.2 - height},
+             {0.3 + width, -0.2 + height}, 5e-12);
+}
+
+TEST(BoundingBox, SidesOfABoxAreExact) {
+  const Box unit = bounds_of(box({0, 0}, {1, 1}));
+  EXPECT_EQ(unit.low, (Point{0, 0}));
+  EXPECT_EQ(unit.high, (Point{1, 1}));
+  const Box plate = bounds_of(box({-0.1, 0.3}, {2.7, 0.9}) - circle({1, 0.6}, 0.2));
+  EXPECT_EQ(plate.low, (Point{-0.1, 0.3}));
+  EXPECT_EQ(plate.high, (Point{2.7, 0.9}));
+  const Box brick = bounds_of(box({0, -1, 0.2}, {0.1, 1, 7}, 3));
+  EXPECT_EQ(brick.low, (Point{0, -1, 0.2}));
+  EXPECT_EQ(brick.high, (Point{0.1, 1, 7}));
+  const Box interval = bounds_of(box({-0.3}, {0.7}, 1));
+  EXPECT_EQ(interval.low[0], -0.3);
+  EXPECT_EQ(interval.high[0], 0.7);
+}
+
+TEST(BoundingBox, CornersOfATurnedSquareAreExactToRounding) {
+  for (const double angle : {0.1, 0.5, pi / 4, 1.3}) {
+    const double reach = 0.5 * (std::fabs(std::cos(angle)) + std::fabs(std::sin(angle)));
+    expect_box(turned_square(0.5, angle, {0, 0}), {-reach, -reach}, {reach, reach}, 1e-15);
+    expect_box(turned_square(0.5, angle, {3, -2}), {3 - reach, -2 - reach}, {3 + reach, -2 + reach},
+               4e-15);
+  }
+}
+
+TEST(BoundingBox, CornersOfATurnedCubeAreExactToRounding) {
+  // The unit cube with its diagonal along z: |u·p| ≤ 1/2 for three orthogonal directions.
+  std::vector<Region> sides;
+  const double third = 2 * pi / 3;
+  for (int k = 0; k < 3; ++k) {
+    const Field along = std::sqrt(2.0 / 3) * (std::cos(k * third) * x + std::sin(k * third) * y) +
+                        std::sqrt(1.0 / 3) * z;
+    sides.push_back(level_set(0.5 - along, 3));
+    sides.push_back(level_set(0.5 + along, 3));
+  }
+  Region cube = sides[0];
+  for (int k = 1; k < 6; ++k) cube = cube & sides[k];
+  const Box box = bounds_of(cube);
+  EXPECT_NEAR(box.high[2], 0.5 * std::sqrt(3), 1e-14);
+  EXPECT_NEAR(box.low[2], -0.5 * std::sqrt(3), 1e-14);
+  EXPECT_NEAR(box.high[0], std::sqrt(2.0 / 3), 1e-14);  // ½ √(2/3) (1 + ½ + ½)
+  // Along y an edge is the extreme, ½ √(2/3) √3: found from outside.
+  EXPECT_NEAR(box.high[1], std::sqrt(0.5), 1e-3);
+  EXPECT_GE(box.high[1], std::sqrt(0.5));
+}
+
+TEST(BoundingBox, OfALens) {
+  // Two unit circles at distance 1: corners at (½, ±√3/2), sides where the circles are vertical.
+  expect_box(circle({0, 0}, 1) & circle({1, 0}, 1), {0, -std::sqrt(0.75)}, {1, std::sqrt(0.75)},
+             1e-12);
+}
+
+TEST(BoundingBox, OfAUnionOfDistantParts) {
+  expect_box(circle({-20, 3}, 0.5) | circle({30, -7}, 0.1), {-20.5, -7.1}, {30.1, 3.5}, 1e-10);
+}
+
+TEST(BoundingBox, OfTinyRegionsFarAway) {
+  const double radius = 1e-4;
+  const Box box = bounds_of(circle({1000, -500}, radius));
+  EXPECT_NEAR(box.low[0], 1000 - radius, 3e-12);  // a few roundings of the coordinate
+  EXPECT_NEAR(box.high[1], -500 + radius, 3e-12);
+}
+
+TEST(BoundingBox, OfALargeRegion) {
+  expect_box(circle({2e6, 0}, 3e6), {-1e6, -3e6}, {5e6, 3e6}, 1e-5);
+}
+
+TEST(BoundingBox, OfABall) {
+  expect_box(level_set(4 - x * x - y * y - pow(z - 1, 2), 3), {-2, -2, -1}, {2, 2, 3}, 1e-11);
+}
+
+TEST(BoundingBox, OfAFunctionThatIsNotAPolynomial) {
+  // y ≤ 1 + sin(3x)/10 over [0, 2] × [0, ∞): the highest point is at x = π/6.
+  const Region roof = box({0, 0}, {2, 9}) & level_set(1 + 0.1 * sin(3 * x) - y);
+  expect_box(roof, {0, 0}, {2, 1.1}, 1e-11);
+}
+
+TEST(BoundingBox, EveryPointOfTheRegionIsInside) {
+  const RegionEvaluator region((circle({0, 0}, 1) - half_plane({0.3, 0.1}, {1, 2})) |
+                               ellipse({0.4, 0.4}, {0.9, 0.2}, 2.1));
+  const Box box = bounding_box(region);
+  for (double a = -1.5; a < 1.5; a += 0.013)
+    for (double b = -1.5; b < 1.5; b += 0.013)
+      EXPECT_TRUE(!region.contains(Point{a, b}) || box.contains({a, b})) << a << ", " << b;
+}
+
+TEST(BoundingBox, UnboundedRegionsAreRefusedWithTheirDirection) {
+  EXPECT_THAT(
+      [] {
+        bounds_of(half_plane({0, 0}, {1, 0}));
+      },
+      ThrowsMessage<InvalidArgument>(HasSubstr("not bounded in the direction +x")));
+  EXPECT_THAT(
+      [] {
+        bounds_of(half_plane({0, 0}, {0, -1}) & half_plane({0, 0}, {1, 0}) &
+                  half_plane({1, 0}, {-1, 0}));
+      },
+      ThrowsMessage<InvalidArgument>(HasSubstr("not bounded in the direction -y")));
+  EXPECT_THROW(bounds_of(!circle({0, 0}, 1)), InvalidArgument);
+}
+
+TEST(BoundingBox, EmptyRegionsAreRefused) {
+  EXPECT_THAT(
+      [] {
+        bounds_of(circle({0, 0}, 1) & circle({5, 0}, 1));
+      },
+      ThrowsMessage<InvalidArgument>(HasSubstr("empty")));
+  EXPECT_THAT([] { bounds_of(level_set(-1 - x * x)); },
+              ThrowsMessage<InvalidArgument>(HasSubstr("empty")));
+}
+
+}  // namespace
+}  // namespace rfm
