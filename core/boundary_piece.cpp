@@ -33,7 +33,8 @@ std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) 
   const Side side = side_of(primitive, region);
   Field sign = side == Side::negative ? 1.0 : -1.0;
   if (side == Side::both) {
-    // Positive inside the region means that the others make it true with this one and false without.
+    // Positive inside the region means that the others make it true with this one and false
+    // without.
     const BooleanExpression& whole = region.region().expression();
     const BooleanExpression inward =
         whole.restricted(primitive, true) & (!whole.restricted(primitive, false));
@@ -58,6 +59,9 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
     return piece;
   }
   if (side == Side::negative) piece.function = -source.function;
+  // In another part of a union the primitive has the other sign; nowhere in the region is it 0.
+  if (has_sign_within(primitive, side == Side::negative, region, bounds))
+    piece.function = abs(source.function);
   return piece;
 }
 

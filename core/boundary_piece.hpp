@@ -14,9 +14,10 @@ struct BoundaryPiece {
   int primitive = 0;
   std::string name;
   /// Zero exactly on the piece and positive elsewhere in the region: ±γ_k where its whole zero set
-  /// in the closed region belongs to the piece, otherwise the trim (see `trim`). Normalised.
+  /// in the closed region belongs to the piece (|γ_k| where it has both signs within, as in a union
+  /// of parts that do not meet), otherwise the trim (see `trim`). Normalised.
   Field function;
-  /// Whether `function` is ±γ_k itself.
+  /// Whether the whole zero set belongs to the piece.
   bool whole = true;
 };
 

@@ -153,4 +153,23 @@ bool extends_beyond_piece(int primitive, const RegionEvaluator& region, const Bo
   return may_extend;
 }
 
+bool has_sign_within(int primitive, bool positive, const RegionEvaluator& region,
+                     const Box& bounds) {
+  const BooleanExpression there = region.region().expression().restricted(primitive, positive);
+  if (there.is_constant(false)) return false;
+  bool may_have = false;
+  branch(
+      bounds, resolution_for(bounds.dimension),
+      [&](const Box& box) {
+        const Signs signs(region, box);
+        return signs.of(primitive) != (positive ? Truth::no : Truth::yes) &&
+               signs.of(there) != Truth::no;
+      },
+      [&](const Box&) {
+        may_have = true;
+        return false;
+      });
+  return may_have;
+}
+
 }  // namespace rfm

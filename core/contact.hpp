@@ -34,4 +34,9 @@ bool meets_region(const Factor& factor, const RegionEvaluator& region, const Box
 /// on into the region beyond the piece of boundary that it contributes.
 bool extends_beyond_piece(int primitive, const RegionEvaluator& region, const Box& bounds);
 
+/// Whether the primitive may be positive (`positive`) or negative (not) somewhere in the region
+/// (false is proved).
+bool has_sign_within(int primitive, bool positive, const RegionEvaluator& region,
+                     const Box& bounds);
+
 }  // namespace rfm

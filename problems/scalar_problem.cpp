@@ -213,6 +213,10 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
     options.method = LinearSolverOptions::Method::direct;
   solution.linear = rfm::solve(system, options);
+  if (!(solution.linear.relative_residual < 1e-6))
+    throw ComputationError(fmt::format(
+        "the system of equations could not be solved (relative residual {:.1e})",
+        solution.linear.relative_residual));
   solution.u = solution_fields(structures, spaces, solution.linear.coefficients)[0];
   if (free_constant) {
     solution.u = solution.u - integrate(solution.u, solution.rule) / solution.rule.measure();

@@ -1,7 +1,7 @@
 #include "solvers/linear_solver.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "solvers/conjugate_gradient.hpp"

@@ -41,6 +41,7 @@ class SymmetricFactorization {
   SymmetricFactorization(SymmetricFactorization&&) noexcept;
   SymmetricFactorization& operator=(SymmetricFactorization&&) noexcept;
 
+  /// Not to be called by two threads at once: CHOLMOD keeps its state in the factorisation.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
   Method method() const;
   /// The smallest |eigenvalue|, from above, by two steps of inverse iteration (within a factor of

@@ -1,58 +1,156 @@
 #include "core/boundary_piece.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "core/bounding_box.hpp"
 #include "core/evaluate.hpp"
 #include "core/primitives.hpp"
 
-using namespace rfm;
-
+namespace rfm {
 namespace {
 
 const Field x = x_coordinate(), y = y_coordinate();
 
-std::vector<BoundaryPiece> pieces_of(const Region& region) {
+BoundaryPiece piece_of(const Region& region, const std::string& name) {
   const RegionEvaluator evaluator(region);
-  const Box bounds = bounding_box(evaluator);
-  std::vector<BoundaryPiece> pieces;
   for (int k = 0; k < evaluator.primitive_count(); ++k)
-    pieces.push_back(boundary_piece(k, evaluator, bounds));
-  return pieces;
+    if (region.primitives()[k]->name == name)
+      return boundary_piece(k, evaluator, bounding_box(evaluator));
+  ADD_FAILURE() << "no primitive " << name;
+  return {};
 }
 
-TEST(BoundaryPiece, CirclesOfARingAreWholeAndPositiveInside) {
-  const auto pieces =
-      pieces_of(circle({0, 0}, 1).named("outer") - circle({0, 0}, 0.4).named("hole"));
-  for (const BoundaryPiece& piece : pieces) {
+void expect_positive_within(const Field& function, const Region& region) {
+  const RegionEvaluator evaluator(region);
+  const Box box = bounding_box(evaluator);
+  for (double s = 0.017; s < 1; s += 0.047)
+    for (double t = 0.013; t < 1; t += 0.047) {
+      const Point at{box.low[0] + s * box.length(0), box.low[1] + t * box.length(1)};
+      if (!evaluator.contains(at)) continue;
+      EXPECT_GT(value_at(function, at), 0) << at[0] << ", " << at[1];
+    }
+}
+
+// Zero at `at` with unit slope along the inward `normal`.
+void expect_boundary(const Field& function, const Point& at, const Point& normal) {
+  EXPECT_NEAR(value_at(function, at), 0, 2e-16);
+  const double small = 1e-7;
+  const Point inside{at[0] + small * normal[0], at[1] + small * normal[1]};
+  const PointJet jet = evaluate(function, inside, 1);
+  EXPECT_NEAR(jet.derivative(1, 0), normal[0], 1e-6);
+  EXPECT_NEAR(jet.derivative(0, 1), normal[1], 1e-6);
+}
+
+TEST(BoundaryPiece, OfARingAreTheWholeCircles) {
+  const Region ring = circle({0, 0}, 1).named("outer") - circle({0.1, 0}, 0.4).named("inner");
+  for (const char* name : {"outer", "inner"}) {
+    const BoundaryPiece piece = piece_of(ring, name);
     EXPECT_TRUE(piece.whole);
-    EXPECT_GT(value_at(piece.function, {0, 0.7, 0}), 0);
+    EXPECT_EQ(piece.name, name);
+    expect_positive_within(piece.function, ring);
   }
-  EXPECT_NEAR(value_at(pieces[1].function, {0.4, 0, 0}), 0, 1e-16);
+  expect_boundary(piece_of(ring, "outer").function, {1, 0}, {-1, 0});
+  expect_boundary(piece_of(ring, "inner").function, {0.5, 0}, {1, 0});
 }
 
-TEST(BoundaryPiece, EdgesOfAReentrantCornerAreTrimmedToThePiece) {
-  // The line x = 1 bounds the L-shape for y > 1 and runs through its inside for y < 1.
-  const auto pieces =
-      pieces_of(box({0, 0}, {2, 2}).named("whole") - box({1, 1}, {3, 3}).named("notch"));
-  const auto left = std::find_if(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) {
-    return piece.name == "notch.left";
-  });
-  ASSERT_NE(left, pieces.end());
-  EXPECT_FALSE(left->whole);
-  EXPECT_NEAR(value_at(left->function, {1, 1.5, 0}), 0, 1e-15);
-  EXPECT_GT(value_at(left->function, {1, 0.5, 0}), 0.1);
-  EXPECT_GT(value_at(left->function, {0.5, 1.5, 0}), 0.1);
+const Region ell = box({0, 0}, {1, 1}).named("big") - box({0.5, 0.25}, {2, 2}).named("small");
+
+TEST(BoundaryPiece, SidesThatGoOnIntoTheRegionAreTrimmed) {
+  EXPECT_TRUE(piece_of(ell, "big.left").whole);
+  const BoundaryPiece left = piece_of(ell, "small.left"), bottom = piece_of(ell, "small.bottom");
+  EXPECT_FALSE(left.whole);
+  EXPECT_FALSE(bottom.whole);
+  for (const double t : {0.3, 0.5, 0.9}) expect_boundary(left.function, {0.5, t}, {-1, 0});
+  for (const double t : {0.55, 0.7, 0.95}) expect_boundary(bottom.function, {t, 0.25}, {0, -1});
+  // On the rest of their lines, within the region, they are not zero.
+  EXPECT_GT(value_at(left.function, {0.5, 0.2}), 1e-3);
+  EXPECT_GT(value_at(bottom.function, {0.4, 0.25}), 1e-3);
+  expect_positive_within(left.function, ell);
+  expect_positive_within(bottom.function, ell);
 }
 
-TEST(Trim, IsZeroOnThePieceAloneAndNormalizedThere) {
-  const Field piece = trim(x, y);  // the half line x = 0, y ≥ 0
-  EXPECT_EQ(value_at(piece, {0, 0.5, 0}), 0);
-  EXPECT_GT(value_at(piece, {0, -0.5, 0}), 0.4);
-  EXPECT_NEAR(evaluate(piece, {1e-9, 0.5, 0}, 1, 2).derivative(1, 0), 1, 1e-12);
-  EXPECT_NEAR(evaluate(piece, {1e-9, 0.5, 0}, 1, 2).derivative(0, 1), 0, 1e-12);
-  // Where λ > 0 the stable form keeps all digits of |γ|.
-  EXPECT_DOUBLE_EQ(value_at(piece, {1e-12, 0.5, 0}), 1e-12);
+TEST(BoundaryPiece, OfOverlappingDisksAreTrimmedArcs) {
+  const Region two = circle({0, 0}, 1).named("a") | circle({1, 0}, 1).named("b");
+  const BoundaryPiece arc = piece_of(two, "a");
+  EXPECT_FALSE(arc.whole);
+  expect_boundary(arc.function, {-1, 0}, {1, 0});
+  expect_boundary(arc.function, {-0.6, 0.8}, {0.6, -0.8});
+  EXPECT_GT(value_at(arc.function, {1, 0}), 0.1);
+  expect_positive_within(arc.function, two);
+}
+
+TEST(BoundaryPiece, IsPositiveAlsoInPartsOfAUnionThatDoNotMeet) {
+  const Region apart = circle({0, 0}, 1).named("a") | circle({3, 0}, 1).named("b");
+  EXPECT_TRUE(piece_of(apart, "a").whole);
+  expect_positive_within(piece_of(apart, "a").function, apart);
+  expect_boundary(piece_of(apart, "a").function, {1, 0}, {-1, 0});
+  const Region pierced =
+      (circle({0, 0}, 1) - circle({0, 0}, 0.5).named("hole")) | circle({3, 0}, 1).named("b");
+  expect_positive_within(piece_of(pierced, "hole").function, pierced);
+  expect_boundary(piece_of(pierced, "hole").function, {0.5, 0}, {1, 0});
+}
+
+TEST(BoundaryPiece, SidesFollowFromHowAPrimitiveOccurs) {
+  const Region a = circle({0, 0}, 1), b = circle({1, 0}, 1);
+  EXPECT_EQ(side_of(0, RegionEvaluator(a - b)), Side::positive);
+  EXPECT_EQ(side_of(1, RegionEvaluator(a - b)), Side::negative);
+  EXPECT_EQ(side_of(1, RegionEvaluator(a - !b)), Side::positive);
+  EXPECT_EQ(side_of(0, RegionEvaluator(a ^ b)), Side::both);
+}
+
+TEST(BoundaryPiece, NormalsAreUnitVectorsOutOfTheRegion) {
+  const auto normal_at = [](const Region& region, int primitive, const Point& at) {
+    const std::vector<Field> normal = outward_normal(primitive, RegionEvaluator(region));
+    return std::pair(value_at(normal[0], at), value_at(normal[1], at));
+  };
+  const Region a = circle({0, 0}, 1), b = circle({1, 0}, 1);
+  const auto expect = [](const std::pair<double, double>& normal, double nx, double ny) {
+    EXPECT_NEAR(normal.first, nx, 1e-15);
+    EXPECT_NEAR(normal.second, ny, 1e-15);
+  };
+  expect(normal_at(a - b, 0, {-0.6, 0.8}), -0.6, 0.8);
+  expect(normal_at(a - b, 1, {0, 0}), 1, 0);
+  expect(normal_at(a ^ b, 0, {-1, 0}), -1, 0);  // the region lies inside of a here
+  expect(normal_at(a ^ b, 0, {1, 0}), -1, 0);   // and outside of it within b
+}
+
+TEST(Trim, VanishesOnTheHalfLineAloneWithUnitSlope) {
+  const Field half_line = trim(y, x);  // {y = 0, x ≥ 0}
+  for (const double a : {0.0, 0.3, 2.0}) EXPECT_EQ(value_at(half_line, {a, 0}), 0);
+  for (const double a : {-1e-9, -0.3, -2.0})
+    EXPECT_NEAR(value_at(half_line, {a, 0}), std::fabs(a), 1e-15);  // √(λ²) − λ over 2
+  for (double angle = 0.1; angle < 6.2; angle += 0.1)
+    for (const double r : {1e-6, 0.1, 1.0, 10.0})
+      EXPECT_GT(value_at(half_line, {r * std::cos(angle), r * std::sin(angle)}), 0);
+  for (const double a : {0.3, 2.0}) {
+    EXPECT_NEAR(evaluate(half_line, {a, 1e-9}, 1).derivative(0, 1), 1, 1e-15);
+    EXPECT_NEAR(evaluate(half_line, {a, -1e-9}, 1).derivative(0, 1), -1, 1e-15);
+    EXPECT_NEAR(evaluate(half_line, {a, 1e-9}, 1).derivative(1, 0), 0, 1e-15);
+  }
+}
+
+TEST(Trim, KeepsItsDigitsNextToThePiece) {
+  // For λ > 0 it is |γ| (1 + O(γ⁶)).
+  for (const double gamma : {1e-12, -1e-12, 1e-100})
+    EXPECT_NEAR(value_at(trim(y, x), {0.5, gamma}), std::fabs(gamma), 1e-15 * std::fabs(gamma));
+}
+
+TEST(Trim, BothFormsAgreeWithTheFormula) {
+  for (const double gamma : {-0.9, 0.4, 1.3})
+    for (const double lambda : {-1.1, -0.2, 0.3, 0.8}) {
+      const double root = std::sqrt(lambda * lambda + std::pow(gamma, 4)) - lambda;
+      EXPECT_NEAR(value_at(trim(y, x), {lambda, gamma}), std::sqrt(gamma * gamma + root * root / 4),
+                  2e-15);
+    }
+}
+
+TEST(Trim, IsFiniteWithItsDerivativesAtTheEnd) {
+  const PointJet end = evaluate(trim(y, x), {0, 0}, 2);
+  for (int i = 0; i <= 2; ++i)
+    for (int j = 0; i + j <= 2; ++j) EXPECT_TRUE(std::isfinite(end.derivative(i, j)));
 }
 
 }  // namespace
+}  // namespace rfm

@@ -1,6 +1,6 @@
 #include "core/weight.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
@@ -9,84 +9,130 @@
 #include "core/evaluate.hpp"
 #include "core/primitives.hpp"
 
-using namespace rfm;
-
+namespace rfm {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 Weight weight_of(const Region& region, CombineRule rule = CombineRule::automatic) {
   const RegionEvaluator evaluator(region);
   return weight(evaluator, bounding_box(evaluator), rule);
 }
 
-// The regular polygon with `sides` sides about the origin, at distance 1 from it.
-Region regular_polygon(int sides) {
+// The regular polygon with unit apothem, sides e0, e1, …
+Region polygon(int sides) {
   const auto side = [&](int k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.3) / sides;
-    const double c = std::cos(angle), s = std::sin(angle);
-    return half_plane({c, s}, {-c, -s}).named("side" + std::to_string(k));
+    const double t = 0.3 + 2 * std::numbers::pi * k / sides;
+    return half_plane({std::cos(t), std::sin(t)}, {-std::cos(t), -std::sin(t)})
+        .named("e" + std::to_string(k));
   };
   Region region = side(0);
   for (int k = 1; k < sides; ++k) region = region & side(k);
   return region;
 }
 
-const Region ring = circle({0, 0}, 1).named("outer") - circle({0.2, 0.1}, 0.35).named("inner");
-
-TEST(Weight, IsPositiveInsideAndZeroOnTheBoundary) {
-  for (const CombineRule rule :
-       {CombineRule::automatic, CombineRule::r0, CombineRule::r1, CombineRule::product}) {
-    const Field omega = weight_of(ring, rule).function;
-    for (const Point& inside : {Point{0.7, 0, 0}, Point{-0.5, 0.5, 0}, Point{0, -0.9, 0}})
-      EXPECT_GT(value_at(omega, inside), 0);
-    for (const double t : {0.3, 2.0, 4.1}) {
-      EXPECT_NEAR(value_at(omega, {std::cos(t), std::sin(t), 0}), 0, 1e-15);
-      EXPECT_NEAR(value_at(omega, {0.2 + 0.35 * std::cos(t), 0.1 + 0.35 * std::sin(t), 0}), 0,
-                  1e-15);
+void expect_weight(const Region& region) {
+  // Positive inside.
+  const RegionEvaluator evaluator(region);
+  const Box box = bounding_box(evaluator);
+  const Field omega = weight(evaluator, box).function;
+  for (double s = 0.017; s < 1; s += 0.06)
+    for (double t = 0.013; t < 1; t += 0.06) {
+      const Point at{box.low[0] + s * box.length(0), box.low[1] + t * box.length(1)};
+      if (!evaluator.contains(at)) continue;
+      EXPECT_GT(value_at(omega, at), 0) << at[0] << ", " << at[1];
     }
-  }
 }
 
-TEST(Weight, BoundariesThatDoNotMeetMultiply) {
-  EXPECT_EQ(weight_of(ring).formula, "omega(outer) * -omega(inner)");
+TEST(Weight, AtRightAnglesIsAProduct) {
+  const Region square = box({0, 0}, {1, 1}).named("s");
+  EXPECT_EQ(weight_of(square).formula,
+            "omega(s.left) * omega(s.right) * omega(s.bottom) * omega(s.top)");
+  EXPECT_NEAR(value_at(weight_of(square).function, {0.25, 0.5}), 0.25 * 0.75 * 0.25, 1e-16);
+  expect_weight(square);
 }
 
-TEST(Weight, SidesAtRightAnglesMultiply) {
-  EXPECT_EQ(weight_of(box({0, 0}, {2, 1}).named("plate")).formula,
-            "omega(plate.left) * omega(plate.right) * omega(plate.bottom) * omega(plate.top)");
-  EXPECT_EQ(weight_of(regular_polygon(4)).formula,
-            "omega(side0) * omega(side1) * omega(side2) * omega(side3)");
+TEST(Weight, OfDisjointHolesIsAProduct) {
+  const Region plate = circle({0, 0}, 2).named("rim") - circle({-0.8, 0}, 0.5).named("a") -
+                       circle({0.8, 0}, 0.5).named("b");
+  EXPECT_EQ(weight_of(plate).formula, "omega(rim) * -omega(a) * -omega(b)");
+  expect_weight(plate);
 }
 
-TEST(Weight, SidesAtAcuteAnglesMultiply) {
-  EXPECT_EQ(weight_of(regular_polygon(3)).formula, "omega(side0) * omega(side1) * omega(side2)");
+TEST(Weight, AtAcuteAnglesIsAProduct) {
+  EXPECT_EQ(weight_of(polygon(3)).formula, "omega(e0) * omega(e1) * omega(e2)");
+  expect_weight(polygon(3));
 }
 
-TEST(Weight, SidesAtObtuseAnglesJoinByR0) {
-  EXPECT_EQ(weight_of(regular_polygon(6)).formula,
-            "r0_and(r0_and(r0_and(r0_and(r0_and(omega(side0), omega(side1)), omega(side2)), "
-            "omega(side3)), omega(side4)), omega(side5))");
+TEST(Weight, AtObtuseAnglesIsAnRFunction) {
+  const Weight hexagon = weight_of(polygon(6));
+  EXPECT_THAT(hexagon.formula, testing::StartsWith("r0_and("));
+  EXPECT_THAT(hexagon.formula, Not(HasSubstr(" * ")));
+  expect_weight(polygon(6));
 }
 
-TEST(Weight, ReentrantCornersAreDisjunctions) {
-  const Region l_shape = box({0, 0}, {2, 2}).named("whole") - box({1, 1}, {3, 3}).named("notch");
-  const Weight omega = weight_of(l_shape);
-  EXPECT_NE(omega.formula.find("r0_or(-omega(notch.left), -omega(notch.bottom))"),
-            std::string::npos)
-      << omega.formula;
-  EXPECT_GT(value_at(omega.function, {1.5, 0.5, 0}), 0);
-  EXPECT_GT(value_at(omega.function, {1, 0.5, 0}), 0);  // beyond the edge x = 1
-  EXPECT_NEAR(value_at(omega.function, {1, 1.5, 0}), 0, 1e-15);
+TEST(Weight, OnlyThePairsAtObtuseAnglesAreJoined) {
+  // A house: walls and floor at right angles, two slopes of the roof at 135° with the walls and at
+  // 90° with each other.
+  const Region house = box({-1, -1}, {1, 5}).named("w") & half_plane({0, 1}, {1, -1}).named("l") &
+                       half_plane({0, 1}, {-1, -1}).named("r");
+  const std::string formula = weight_of(house).formula;
+  EXPECT_THAT(formula, HasSubstr("r0_and(omega(w.left), omega(l))"));
+  EXPECT_THAT(formula, HasSubstr("r0_and(omega(w.right), omega(r))"));
+  EXPECT_THAT(formula, HasSubstr("omega(w.bottom)"));
+  EXPECT_THAT(formula, Not(HasSubstr("w.top")));  // above the roof
+  expect_weight(house);
 }
 
-TEST(Weight, ConjunctsThatDoNotTouchTheRegionAreLeftOut) {
-  const Region disk = circle({0, 0}, 1).named("disk") & half_plane({5, 0}, {-1, 0}).named("far");
-  EXPECT_EQ(weight_of(disk).formula, "omega(disk)");
+TEST(Weight, AtAReentrantCornerIsADisjunction) {
+  const Region ell = box({0, 0}, {1, 1}).named("big") - box({0.5, 0.5}, {2, 2}).named("small");
+  EXPECT_EQ(weight_of(ell).formula,
+            "omega(big.left) * omega(big.right) * omega(big.bottom) * omega(big.top) * "
+            "r0_or(-omega(small.left), -omega(small.bottom))");
+  expect_weight(ell);
 }
 
-TEST(Weight, VanishesToFirstOrder) {
-  // u − g = O(ω) needs a normal derivative that is not zero.
-  const PointJet jet = evaluate(weight_of(ring).function, {std::cos(1.0), std::sin(1.0), 0}, 1, 2);
-  EXPECT_GT(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 0.1);
+TEST(Weight, OverlappingDisksAreADisjunction) {
+  const Region two = circle({0, 0}, 1).named("a") | circle({1, 0}, 1).named("b");
+  EXPECT_EQ(weight_of(two).formula, "r0_or(omega(a), omega(b))");
+  expect_weight(two);
+}
+
+TEST(Weight, TangencyFromTheSameSideIsObtuse) {
+  // Inside both circles, which touch at (1, 0): the interior angle there is 180°.
+  const Region region = circle({0, 0}, 1).named("a") & circle({0.5, 0}, 0.5).named("b");
+  EXPECT_EQ(weight_of(region).formula, "r0_and(omega(a), omega(b))");
+}
+
+TEST(Weight, ConjunctsThatDoNotMeetTheRegionAreLeftOut) {
+  const Region region = circle({0, 0}, 1).named("disk") & box({-9, -9}, {9, 9}).named("far") &
+                        !circle({5, 0}, 1).named("away");
+  EXPECT_EQ(weight_of(region).formula, "omega(disk)");
+}
+
+TEST(Weight, RulesOverrideTheChoice) {
+  const Region square = box({0, 0}, {1, 1}).named("s"), hexagon = polygon(6);
+  EXPECT_EQ(weight_of(square, CombineRule::r0).formula,
+            "r0_and(r0_and(r0_and(omega(s.left), omega(s.right)), omega(s.bottom)), omega(s.top))");
+  EXPECT_THAT(weight_of(square, CombineRule::r1).formula, testing::StartsWith("min(min(min("));
+  EXPECT_NEAR(value_at(weight_of(square, CombineRule::r1).function, {0.3, 0.9}), 0.1, 1e-16);
+  EXPECT_THAT(weight_of(hexagon, CombineRule::product).formula, Not(HasSubstr("r0")));
+}
+
+TEST(Weight, InSpaceABrickIsAProduct) {
+  const Weight brick = weight_of(box({0, 0, 0}, {1, 2, 3}, 3).named("b"));
+  EXPECT_THAT(brick.formula, Not(HasSubstr("r0")));
+  EXPECT_NEAR(value_at(brick.function, {0.5, 1, 1.5}), 0.25 * 1 * 2.25, 1e-15);
+}
+
+TEST(Weight, ConjunctsAreTheOperandsOfTheOutermostConjunction) {
+  const auto a = BooleanExpression::variable(0), b = BooleanExpression::variable(1),
+             c = BooleanExpression::variable(2);
+  EXPECT_EQ(conjuncts((a & (b | c)) & !c).size(), 3u);
+  EXPECT_EQ(conjuncts(a | b).size(), 1u);
+  EXPECT_EQ(conjuncts(a).size(), 1u);
 }
 
 }  // namespace
+}  // namespace rfm

@@ -163,6 +163,23 @@ TEST(Assembly, TakesTimeAndParametersAsArguments) {
   EXPECT_NEAR(system.right_hand_side.sum(), 1.0, 1e-15);  // splines sum to one
 }
 
+TEST(Assembly, AGivenComponentLoadsWhatItIsCoupledTo) {
+  // ∫ u v with v = x given, in either order of the components: f_i = −∫ x B_i, Σ f_i = −1/2.
+  const Grid grid({1, {0}, {1}}, {4, 1, 1});
+  const DomainRule rule = rule_for(unit_box(1), grid, 2);
+  const TensorProductSpace space(grid, 2);
+  for (const int unknown : {0, 1}) {
+    std::vector<Structure> structures(2, x);
+    structures[unknown] = Structure::undetermined();
+    QuadraticEnergy energy;
+    energy.add_stiffness(value(0), value(1), 1.0);
+    const Contribution contribution{energy};
+    const LinearSystem system =
+        assemble(structures, std::span(&space, 1), std::span(&contribution, 1), rule);
+    EXPECT_NEAR(system.right_hand_side.sum(), -0.5, 1e-15);
+  }
+}
+
 TEST(Assembly, NamesTheQuantityAndThePointThatIsNotFinite) {
   const Grid grid({1, {0}, {1}}, {3, 1, 1});
   const DomainRule rule = rule_for(unit_box(1), grid, 2);

@@ -1,0 +1,87 @@
+#include "core/taylor_bound.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/operation_rules.hpp"
+
+namespace rfm {
+namespace {
+
+// The conformance of every operation is tested in operations_test.cpp; here, what makes the models
+// good and what keeps them sound.
+
+std::array<TaylorBound, 2> coordinates_over(const Interval& x, const Interval& y) {
+  return {TaylorBound::coordinate(x, 0), TaylorBound::coordinate(y, 1)};
+}
+
+TEST(TaylorBound, AffineFunctionsAreExact) {
+  const TaylorBound::Frame frame({0.5, 0.25, 0});
+  const auto [x, y] = coordinates_over({0, 1}, {1, 1.5});
+  const TaylorBound f = TaylorBound(2.0) * x - y + TaylorBound(3.0);
+  EXPECT_NEAR(f.range.low, 1.5, 1e-14);
+  EXPECT_NEAR(f.range.high, 4, 1e-14);
+  EXPECT_NEAR(f.slope[0], 2, 1e-15);
+  EXPECT_NEAR(f.slope[1], -1, 1e-15);
+  EXPECT_LT(f.error, 1e-14);
+}
+
+TEST(TaylorBound, DependenceIsNotLost) {
+  // Plain intervals give [−1, 1] for x − x and [0, 1] for x (1 − x) over [0, 1].
+  const TaylorBound::Frame frame({0.5, 0, 0});
+  const TaylorBound x = TaylorBound::coordinate({0, 1}, 0);
+  EXPECT_NEAR((x - x).range.width(), 0, 1e-14);
+  EXPECT_LT((x * (TaylorBound(1.0) - x)).range.high, 0.5 + 1e-12);
+}
+
+TEST(TaylorBound, AModelOutsideItsOwnRangeIsGivenUp) {
+  // Over a wide box the model of an exponential has its middle far above every value; logarithms
+  // and roots must not be expanded there.
+  const TaylorBound::Frame frame({10, 0, 0});
+  const TaylorBound x = TaylorBound::coordinate({-10, 10}, 0), e = exp(x);
+  EXPECT_TRUE(e.range.contains(e.value));
+  const TaylorBound back = log(e);
+  EXPECT_LE(back.range.low, -10);
+  EXPECT_GE(back.range.high, 10);
+  EXPECT_LT(back.range.width(), 40);
+}
+
+TEST(TaylorBound, TouchingASingularityIsNotSmooth) {
+  const TaylorBound::Frame frame({1, 0, 0});
+  const TaylorBound x = TaylorBound::coordinate({-1, 1}, 0), positive = x + TaylorBound(1.5);
+  for (const TaylorBound& rough :
+       {sqrt(square(x)), cbrt(x), TaylorBound(1.0) / x, log(x + TaylorBound(1.0)), power(x, 0.5),
+        floor(x), asin(x), tan(x + x), atan2(TaylorBound(0.0), x)})
+    EXPECT_FALSE(rough.smooth);
+  for (const TaylorBound& smooth : {sqrt(positive), cbrt(positive), TaylorBound(1.0) / positive,
+                                    log(positive), power(positive, 0.5), sin(x), atan(x)})
+    EXPECT_TRUE(smooth.smooth);
+  EXPECT_FALSE(sin(sqrt(square(x))).smooth);  // and what is made of it is not, either
+}
+
+TEST(TaylorBound, FramesNest) {
+  const TaylorBound::Frame outer({1, 0, 0});
+  TaylorBound x = TaylorBound::coordinate({-1, 1}, 0);
+  {
+    const TaylorBound::Frame inner({0.5, 0, 0});
+    EXPECT_EQ(x.linear_extent(), 0.5);
+  }
+  EXPECT_EQ(x.linear_extent(), 1);
+}
+
+TEST(TaylorBound, RFunctionsAreBoundedAroundTheirCorner) {
+  const TaylorBound::Frame frame({0.1, 0.1, 0});
+  const auto over_corner = [](const auto& x, const auto& y) { return r0_conjunction(x, y); };
+  using Model = Jet<TaylorBound, 2, 0>;
+  const Interval box(-0.1, 0.1);
+  const auto [a, b] = coordinates_over(box, box);
+  const Interval range = over_corner(Model::constant(a), Model::constant(b)).value().range;
+  // x ∧ y takes values from −(2 + √2)/10 to (2 − √2)/10.
+  EXPECT_LE(range.low, -0.1 * (2 + std::sqrt(2)));
+  EXPECT_GE(range.high, 0.1 * (2 - std::sqrt(2)));
+  EXPECT_LT(range.width(), 0.6);
+}
+
+}  // namespace
+}  // namespace rfm
