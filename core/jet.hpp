@@ -183,18 +183,19 @@ template <class T, int N, int K>
 Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   // q b = a, solved coefficient by coefficient in ascending degree: no powers of 1/b.
   using Tables = JetTables<N, K>;
-  const T inverse = T(1.0) / b.c[0];
   Jet<T, N, K> quotient;
   if constexpr (K == 0) {
     quotient.c[0] = a.c[0] / b.c[0];
   } else {
+    const T inverse = T(1.0) / b.c[0];
     Jet<T, N, K> rest = a;
     int done = -1;
     // Terms are sorted by their left factor, which is complete once all smaller ones are applied.
     for (const auto& term : Tables::product) {
       if (term.left != done) {
         done = term.left;
-        quotient.c[done] = rest.c[done] * inverse;
+        // The value is rounded once, so that it does not depend on the order.
+        quotient.c[done] = done == 0 ? a.c[0] / b.c[0] : rest.c[done] * inverse;
       }
       if (term.right != 0)
         rest.c[term.result] = rest.c[term.result] - quotient.c[term.left] * b.c[term.right];
@@ -323,14 +324,14 @@ std::array<T, K + 1> alternating_series(const T& first, const T& second, double 
 
 template <class T, int N, int K>
 Jet<T, N, K> sin(const Jet<T, N, K>& a) {
-  using std::cos, std::sin;
+  using std::cos, std::sin, rfm::cos, rfm::sin;
   if constexpr (K == 0) return Jet<T, N, K>::constant(sin(a.c[0]));
   return compose(a, alternating_series<T, K>(sin(a.c[0]), cos(a.c[0]), -1));
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> cos(const Jet<T, N, K>& a) {
-  using std::cos, std::sin;
+  using std::cos, std::sin, rfm::cos, rfm::sin;
   if constexpr (K == 0) return Jet<T, N, K>::constant(cos(a.c[0]));
   return compose(a, alternating_series<T, K>(cos(a.c[0]), -sin(a.c[0]), -1));
 }
@@ -387,7 +388,11 @@ Jet<T, N, K> asin(const Jet<T, N, K>& a) {
   if constexpr (K == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
   const auto x = own_variable(a);
   const decltype(x) one(1.0);
-  return compose_primitive(a, T(asin(a.c[0])), real_power(one - x * x, -0.5));
+  // (1 − x)(1 + x) does not cancel next to ±1, where the derivatives are 0 by convention.
+  const auto rest = (one - x) * (one + x);
+  const auto regular = real_power(rest, -0.5);
+  return compose_primitive(a, T(asin(a.c[0])),
+                           select(equal(rest.c[0], T(0.0)), decltype(regular)(), regular));
 }
 
 template <class T, int N, int K>
@@ -432,7 +437,7 @@ Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
   using std::atan2;
   Jet<T, N, K> angle;
   if constexpr (K > 0) {
-    const auto steep = less(square(x.c[0]), square(y.c[0]));
+    const auto steep = farther_from_zero(y.c[0], x.c[0]);
     const Jet<T, N, K> numerator = select(steep, x, y), denominator = select(steep, y, x);
     const Jet<T, N, K> flat = atan(numerator / denominator);
     const auto origin = equal(square(x.c[0]) + square(y.c[0]), T(0.0));
@@ -506,9 +511,12 @@ Jet<T, N, K> mod(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   return a - b * floor(a / b);
 }
 
+/// aᵇ = exp(b log a); at a = 0 its limit, 0⁰ = 1, and derivatives 0 by convention.
 template <class T, int N, int K>
 Jet<T, N, K> general_power(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return exp(b * log(a));
+  const Jet<T, N, K> regular = exp(b * log(a));
+  const T limit = select(equal(b.c[0], T(0.0)), T(1.0), regular.c[0]);
+  return select(equal(a.c[0], T(0.0)), Jet<T, N, K>::constant(limit), regular);
 }
 
 /// √(a² + b²).
@@ -524,8 +532,9 @@ Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   const Jet<T, N, K> root = hypot(a, b);
   Jet<T, N, K> result = a + b - root;
   const T sum = a.c[0] + b.c[0];
+  const auto positive = certain(less(T(0.0), sum));
   const T stable = T(2.0) * a.c[0] * b.c[0] / (sum + root.c[0]);
-  result.c[0] = select(less(T(0.0), sum), stable, result.c[0]);
+  result.c[0] = select(positive, stable, result.c[0]);
   return result;
 }
 
