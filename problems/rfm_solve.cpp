@@ -15,6 +15,7 @@
 #include "problems/result_folder.hpp"
 #include "problems/run.hpp"
 #include "problems/schema_text.hpp"
+#include "solvers/blas_threads.hpp"
 
 namespace {
 
@@ -89,6 +90,7 @@ int check_all(const rfm::CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rfm::use_one_thread_in_blas();
   const rfm::CommandLine command = rfm::parse_command_line({argv + 1, argv + argc});
   std::optional<tbb::global_control> threads;
   if (command.threads)

@@ -6,13 +6,8 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "solvers/blas_threads.hpp"
 #include "solvers/supernodal_ldlt.hpp"
-
-// Present when the BLAS is OpenBLAS and when CHOLMOD uses OpenMP. Their threads gain nothing on the
-// small supernodes of spline matrices (OpenMP's, spinning between tiny loops, cost a third of the
-// time), and results would depend on their number.
-extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
-extern "C" void omp_set_max_active_levels(int levels) __attribute__((weak));
 
 namespace rfm {
 namespace {
@@ -62,8 +57,7 @@ struct SymmetricFactorization::Factors {
   std::unique_ptr<const SupernodalLdlt> ldlt;
 
   Factors() {
-    if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
-    if (omp_set_max_active_levels != nullptr) omp_set_max_active_levels(0);
+    use_one_thread_in_blas();
     cholmod_l_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
