@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/segment_distance.hpp"
 
 namespace rfm {
 namespace {
@@ -154,6 +155,13 @@ Region torus(const Point& center, const Point& axis, double radius, double tube)
   const Field level = 4 * radius * radius * (square - height * height) -
                       pow(square + (radius * radius - tube * tube), 2.0);
   return unnamed(normalize(level, 3), level, 3);
+}
+
+Region capsule(const Point& from, const Point& to, double radius) {
+  require_positive(radius, "the radius of a capsule");
+  const Field square = field(std::make_shared<const SegmentDistance>(from, to));
+  const Field function = (radius * radius - square) * (0.5 / radius);
+  return unnamed(function, function, 3);
 }
 
 Region level_set(const Field& f, int dimension) { return unnamed(f, f, dimension); }

@@ -39,6 +39,10 @@ Region cone(const Point& apex, const Point& axis, double half_angle,
 /// The quartic 4R²ρ² − (|x − c|² + R² − r²)², normalised by eq. (4.9); R is the radius of the
 /// tube's middle, r < R that of the tube.
 Region torus(const Point& center, const Point& axis, double radius, double tube);
+/// The points within `radius` of the segment from `from` to `to`: a round rod with round ends,
+/// (r² − s²) / 2r with s the distance from the segment. Continuously differentiable; its second
+/// derivatives jump where the round ends begin, as the curvature of the surface does.
+Region capsule(const Point& from, const Point& to, double radius);
 /// {f ≥ 0} for any function, taken as it is: not normalised.
 Region level_set(const Field& f, int dimension = 2);
 

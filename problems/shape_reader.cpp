@@ -174,6 +174,12 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
                          values_.find(node, "tube")->place);
     return stand_in(3);
   }
+  if (kind == "capsule") {
+    const Point from = point("from", {0, 0}), to = point("to", {1, 0});
+    if (from != to) return capsule(from, to, number("radius", 1));
+    values_.mistakes.add("the ends of a capsule must differ", values_.find(node, "to")->place);
+    return stand_in(3);
+  }
   if (kind == "circle") return circle(point("center", {0, 0}), number("radius", 1));
   if (kind == "ellipse")
     return ellipse(point("center", {0, 0}), point("radii", {1, 1}),

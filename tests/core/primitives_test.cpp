@@ -76,6 +76,35 @@ TEST(Primitives, SidesOfABoxAreSignedDistances) {
   EXPECT_EQ(box({0}, {1}, 1).primitives().size(), 2u);
 }
 
+TEST(Primitives, CapsuleIsNormalizedAndReachesAsFarAsItsRadius) {
+  const Point from{0.1, -0.2, 0.3}, to{1.1, 0.4, -0.6};
+  const double radius = 0.35;
+  const Field function = capsule(from, to, radius).primitives()[0]->function;
+  // Directions that point away from the segment: across it anywhere, and off its ends.
+  const Point along{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  for (double t = 0.1; t < 6; t += 0.7)
+    for (double height = -0.95; height < 1; height += 0.3) {
+      const double ring = std::sqrt(1 - height * height);
+      const Point n{ring * std::cos(t), ring * std::sin(t), height};
+      const double forward = n[0] * along[0] + n[1] * along[1] + n[2] * along[2];
+      const Point& end = forward > 0 ? to : from;
+      for (const double s : {0.5, 1.0, 2.0}) {
+        const double distance = s * radius;
+        const Point point{end[0] + distance * n[0], end[1] + distance * n[1],
+                          end[2] + distance * n[2]};
+        EXPECT_NEAR(value_at(function, point), (1 - s * s) * radius / 2, 1e-15);
+        EXPECT_NEAR(slope_at(function, point, 3), s, 1e-14);
+      }
+    }
+  // Beside the segment: its middle, moved along a vector across it.
+  const Point across{along[1] / 2, -along[0] / 2, 0};
+  const double scale = radius / std::hypot(across[0], across[1]);
+  const Point point{(from[0] + to[0]) / 2 + scale * across[0],
+                    (from[1] + to[1]) / 2 + scale * across[1], (from[2] + to[2]) / 2};
+  EXPECT_NEAR(value_at(function, point), 0, 1e-15);
+  EXPECT_NEAR(slope_at(function, point, 3), 1, 1e-14);
+}
+
 TEST(Primitives, LevelSetsAreTakenAsTheyAre) {
   const Field f = x_coordinate() * y_coordinate();
   const Region region = level_set(f);
@@ -90,6 +119,8 @@ TEST(Primitives, SizesThatAreNotPositiveAreRefused) {
   EXPECT_THROW(circle({0, 0}, std::nan("")), InvalidArgument);
   EXPECT_THROW(ellipse({0, 0}, {1, 0}), InvalidArgument);
   EXPECT_THROW(ellipse({0, 0}, {-1, 1}), InvalidArgument);
+  EXPECT_THROW(capsule({0, 0, 0}, {1, 0, 0}, 0), InvalidArgument);
+  EXPECT_THROW(capsule({0, 0, 0}, {0, 0, 0}, 1), InvalidArgument);
   EXPECT_THROW(box({0, 0}, {1, 0}), InvalidArgument);
   EXPECT_THROW(box({0, 0}, {-1, 1}), InvalidArgument);
   EXPECT_THROW(box({0, 0, 0}, {1, 1, 1}, 4), InvalidArgument);
