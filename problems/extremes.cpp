@@ -1,22 +1,27 @@
 #include "problems/extremes.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
-#include "core/intersection.hpp"
 #include "quadrature/integrate.hpp"
+#include "solvers/stationary_point.hpp"
 
 namespace rfm {
 namespace {
 
-// Values of a field at blocks of points, one after the other.
+constexpr double nowhere = -std::numeric_limits<double>::infinity();
+
+void keep_larger(Extreme& best, const Extreme& other) {
+  if (other.value > best.value) best = other;
+}
+
+// Values of a field at the points of a block where `where` is ≥ 0.
 class PointScan {
  public:
-  PointScan(const Field& f, const std::optional<Field>& allowed, int dimension)
-      : tape_({f, allowed.value_or(1.0)}, {0}, dimension), workspace_(tape_) {}
+  PointScan(const Field& f, const std::optional<Field>& where, int dimension)
+      : tape_({f, where.value_or(1.0)}, {0, 0}, dimension), workspace_(tape_) {}
 
   template <class Visit>
   void visit(const QuadratureBlock& block, const Visit& visit) {
@@ -34,104 +39,90 @@ class PointScan {
   Tape::Workspace workspace_;
 };
 
-void keep_larger(Extreme& best, const Extreme& other) {
-  if (other.value > best.value) best = other;
-}
-
-Extreme nothing_yet() { return {-std::numeric_limits<double>::infinity(), {}}; }
-
-double largest_spacing(const Grid& grid) {
-  double spacing = 0;
-  for (int axis = 0; axis < grid.dimension(); ++axis)
-    spacing = std::max(spacing, grid.spacing(axis));
-  return spacing;
-}
-
-// Newton's method on ∇f = 0 from a sampled maximum; steps beyond a cell, or out of the region, end
-// it.
-Extreme improved_inside(const Field& f, const ScalarProblem& problem, const Grid& grid,
-                        const std::optional<Field>& inside, const Extreme& start) {
-  const int dimension = grid.dimension();
-  const Tape tape({f, inside.value_or(1.0)}, {2, 0}, dimension);
-  Tape::Workspace workspace(tape);
-  const double reach = largest_spacing(grid);
-  Extreme best = start;
-  Point point = start.at;
-  for (int step = 0; step < 20; ++step) {
-    PointBlock block;
-    for (int axis = 0; axis < dimension; ++axis) block.coordinates[axis] = &point[axis];
-    block.count = 1;
-    tape.evaluate(block, workspace);
-    const double value = workspace.coefficient(0)[0];
-    if (!std::isfinite(value) || !(workspace.coefficient(1)[0] >= 0)) break;
-    keep_larger(best, {value, point});
-    Eigen::VectorXd gradient(dimension);
-    Eigen::MatrixXd hessian(dimension, dimension);
-    for (int i = 0; i < dimension; ++i) {
-      gradient[i] = workspace.coefficient(0, 1 + i)[0];
-      for (int j = 0; j < dimension; ++j) {
-        const MultiIndex alpha = unit_index(i) + unit_index(j);
-        hessian(i, j) = workspace.coefficient(0, jet_index(dimension, alpha))[0] * factorial(alpha);
-      }
-    }
-    const Eigen::VectorXd newton = hessian.ldlt().solve(-gradient);
-    if (!newton.allFinite() || newton.norm() > reach) break;
-    for (int i = 0; i < dimension; ++i) point[i] += newton[i];
-    if (!problem.region().contains(point)) break;
-    if (newton.norm() < 1e-14 * reach) break;
+// Improves a sampled maximum: stationary points on every set of boundaries near it.
+class Improvement {
+ public:
+  Improvement(const Field& f, const RegionEvaluator& region, const Grid& grid,
+              const std::optional<Field>& where, const Extreme& start)
+      : region_(region),
+        has_where_(where.has_value()),
+        start_(start),
+        best_(start),
+        scale_(grid.box().longest_side()),
+        near_(primitives_near(region, grid, start.at)),
+        points_(f, constraints(region, near_, where), grid.dimension()) {
+    for (int axis = 0; axis < grid.dimension(); ++axis)
+      reach_ = std::hypot(reach_, grid.spacing(axis));
   }
-  return best;
-}
 
-// Golden section along the curve {γ = 0} through the sampled maximum, within a cell on both sides.
-Extreme improved_along_curve(const Field& f, const ScalarProblem& problem, const Grid& grid,
-                             int primitive, const std::optional<Field>& where,
-                             const Extreme& start) {
-  const LevelFunction& level = problem.region().level(primitive);
-  const Tape tape({f, where.value_or(1.0)}, {0}, 2);
-  Point gradient;
-  level.value_and_gradient(start.at, gradient);
-  const double length = std::hypot(gradient[0], gradient[1]);
-  const double scale = problem.bounds().longest_side();
-  Extreme best = start;
-  const auto value_at = [&](double t) {
-    Point trial = start.at;
-    trial[0] -= t * gradient[1] / length;
-    trial[1] += t * gradient[0] / length;
-    const auto foot = nearest_zero(level, trial);
-    if (!foot || !problem.region().contains(*foot, 1e-12 * scale) || !(tape.value(*foot, 1) >= 0))
-      return -std::numeric_limits<double>::infinity();
-    const double value = tape.value(*foot);
-    if (std::isfinite(value)) keep_larger(best, {value, *foot});
-    return std::isfinite(value) ? value : -std::numeric_limits<double>::infinity();
-  };
-  constexpr double golden = 0.6180339887498949;
-  double low = -largest_spacing(grid), high = largest_spacing(grid);
-  double left = high - golden * (high - low), right = low + golden * (high - low);
-  double at_left = value_at(left), at_right = value_at(right);
-  for (int i = 0; i < 60; ++i) {
-    if (at_left > at_right) {
-      high = right;
-      right = left, at_right = at_left;
-      left = high - golden * (high - low);
-      at_left = value_at(left);
-    } else {
-      low = left;
-      left = right, at_left = at_right;
-      right = low + golden * (high - low);
-      at_right = value_at(right);
+  // Over the sets of at most `dimension` boundaries that hold all of `always`.
+  Extreme run(const std::vector<int>& always) {
+    std::vector<int> active;
+    for (int k : always)
+      active.push_back(static_cast<int>(std::ranges::find(near_, k) - near_.begin()));
+    try_sets(active, 0);
+    return best_;
+  }
+
+ private:
+  static std::vector<int> primitives_near(const RegionEvaluator& region, const Grid& grid,
+                                          const Point& point) {
+    double reach = 0;
+    for (int axis = 0; axis < grid.dimension(); ++axis)
+      reach = std::hypot(reach, grid.spacing(axis));
+    std::vector<int> near;
+    for (int k = 0; k < region.primitive_count(); ++k) {
+      Point gradient;
+      const double value = region.level(k).value_and_gradient(point, gradient);
+      if (std::fabs(value) <= reach * std::hypot(gradient[0], gradient[1], gradient[2]))
+        near.push_back(k);
+    }
+    return near;
+  }
+
+  static std::vector<Field> constraints(const RegionEvaluator& region, const std::vector<int>& near,
+                                        const std::optional<Field>& where) {
+    std::vector<Field> fields;
+    for (int k : near) fields.push_back(region.region().primitives()[k]->level);
+    if (where) fields.push_back(*where);
+    return fields;
+  }
+
+  void try_sets(std::vector<int>& active, int first) {
+    if (const auto place = points_.find(active, start_.at, 2 * reach_)) offer(*place);
+    if (static_cast<int>(active.size()) == region_.dimension()) return;
+    const int count = static_cast<int>(near_.size()) + (has_where_ ? 1 : 0);
+    for (int k = first; k < count; ++k) {
+      if (std::ranges::find(active, k) != active.end()) continue;
+      active.push_back(k);
+      try_sets(active, k + 1);
+      active.pop_back();
     }
   }
-  return best;
-}
+
+  void offer(const Point& place) {
+    if (!region_.contains(place, 1e-12 * scale_)) return;
+    if (has_where_ && !(points_.constraint(static_cast<int>(near_.size()), place) >= -1e-12))
+      return;
+    const double value = points_.value(place);
+    if (std::isfinite(value)) keep_larger(best_, {value, place});
+  }
+
+  const RegionEvaluator& region_;
+  bool has_where_;
+  Extreme start_, best_;
+  double scale_, reach_ = 0;
+  std::vector<int> near_;
+  StationaryPoints points_;
+};
 
 }  // namespace
 
-Extreme maximum_over_boundary(const Field& f, const ScalarProblem& problem, const DomainRule& rule,
+Extreme maximum_over_boundary(const Field& f, const RegionEvaluator& region, const DomainRule& rule,
                               const std::vector<int>& primitives,
                               const std::optional<Field>& where) {
   PointScan scan(f, where, rule.dimension());
-  Extreme best = nothing_yet();
+  Extreme best{nowhere, {}};
   int best_primitive = -1;
   const SurfaceBlocks blocks(rule.boundary());
   for (int k = 0; k < blocks.count(); ++k) {
@@ -148,15 +139,12 @@ Extreme maximum_over_boundary(const Field& f, const ScalarProblem& problem, cons
   }
   if (best_primitive < 0)
     throw ComputationError("a probe over a part of the boundary has no points");
-  return rule.dimension() == 2
-             ? improved_along_curve(f, problem, rule.grid(), best_primitive, where, best)
-             : best;
+  return Improvement(f, region, rule.grid(), where, best).run({best_primitive});
 }
 
-Extreme maximum_over_volume(const Field& f, const ScalarProblem& problem, const DomainRule& rule,
-                            const std::optional<Field>& inside) {
-  PointScan scan(f, inside, rule.dimension());
-  Extreme best = nothing_yet();
+Extreme maximum_over_volume(const Field& f, const RegionEvaluator& region, const DomainRule& rule) {
+  PointScan scan(f, {}, rule.dimension());
+  Extreme best{nowhere, {}};
   const VolumeBlocks blocks(rule);
   VolumeBlocks::Buffer buffer;
   for (int k = 0; k < blocks.count(); ++k)
@@ -165,8 +153,8 @@ Extreme maximum_over_volume(const Field& f, const ScalarProblem& problem, const 
     });
   if (!std::isfinite(best.value))
     throw ComputationError("a probe over a part of the domain has no points");
-  best = improved_inside(f, problem, rule.grid(), inside, best);
-  if (!inside) keep_larger(best, maximum_over_boundary(f, problem, rule, {}));
+  best = Improvement(f, region, rule.grid(), {}, best).run({});
+  keep_larger(best, maximum_over_boundary(f, region, rule, {}));
   return best;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "core/tape.hpp"
-#include "problems/scalar_problem.hpp"
+#include <optional>
+#include <vector>
+
+#include "core/region.hpp"
+#include "quadrature/domain_rule.hpp"
 
 namespace rfm {
 
@@ -10,15 +13,16 @@ struct Extreme {
   Point at{};
 };
 
-/// The largest value of a field over the volume (where `inside` is ≥ 0, if given): the best of all
-/// quadrature points, improved by Newton's method on ∇f = 0 while it stays in the region, and of
-/// all boundary points, improved along the boundary.
-Extreme maximum_over_volume(const Field& f, const ScalarProblem& problem, const DomainRule& rule,
-                            const std::optional<Field>& inside = {});
+/// The largest value of a field over a region or, without `primitives`, over its boundary and
+/// inside: the best point of `rule`, improved by Newton's method on the conditions of Lagrange
+/// (solvers/stationary_point.hpp) inside, on every piece of the boundary near it, and where pieces
+/// meet. What comes out is a value of the field at a point of the region; it is the maximum, to
+/// rounding, where the field is twice differentiable and the points of the rule are close enough to
+/// see which maximum is the largest. Throw `ComputationError` where the rule has no points.
+Extreme maximum_over_volume(const Field& f, const RegionEvaluator& region, const DomainRule& rule);
 
-/// The largest value over pieces of the boundary: the best boundary point, improved by golden
-/// section along the curve between its neighbours (in 2D; elsewhere the best point is taken).
-Extreme maximum_over_boundary(const Field& f, const ScalarProblem& problem, const DomainRule& rule,
+/// The largest value over pieces of the boundary, where `where` is ≥ 0.
+Extreme maximum_over_boundary(const Field& f, const RegionEvaluator& region, const DomainRule& rule,
                               const std::vector<int>& primitives,
                               const std::optional<Field>& where = {});
 

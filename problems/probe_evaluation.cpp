@@ -107,6 +107,15 @@ class ProbeEvaluator {
     }
   }
 
+  // The domain, or what it shares with the shape of the probe: a region with a rule of its own, so
+  // that the shape's boundary is followed to full order.
+  template <class Visit>
+  void over_volume(const Probe& probe, const Visit& visit) const {
+    if (!probe.region) return visit(problem_.region(), solution_.rule);
+    const RegionEvaluator part(problem_.region().region() & *probe.region);
+    visit(part, problem_.rule(part, solution_.rule.grid()));
+  }
+
   ProbeResult integrated(const Probe& probe) const {
     double integral = 0, measure = 0;
     const DomainRule& rule = solution_.rule;
@@ -118,9 +127,10 @@ class ProbeEvaluator {
         measure += integrate(inside, rule, place);
       });
     } else {
-      const Field inside = probe.region ? step(implicit(*probe.region, RAlpha{1})) : Field(1.0);
-      integral = integrate(inside * scalar(probe, scope_), rule);
-      measure = integrate(inside, rule);
+      over_volume(probe, [&](const RegionEvaluator&, const DomainRule& part) {
+        integral = integrate(scalar(probe, scope_), part);
+        measure = part.measure();
+      });
     }
     const bool average = probe.kind == Probe::Kind::average;
     if (average && !(measure > 0))
@@ -139,13 +149,13 @@ class ProbeEvaluator {
     };
     if (probe.over == Probe::Over::boundary) {
       over_pieces(probe, [&](int number, const ExpressionScope& scope) {
-        offer(maximum_over_boundary(sign * scalar(probe, scope), problem_, solution_.rule, {number},
-                                    probe.boundary->where));
+        offer(maximum_over_boundary(sign * scalar(probe, scope), problem_.region(), solution_.rule,
+                                    {number}, probe.boundary->where));
       });
     } else {
-      std::optional<Field> inside;
-      if (probe.region) inside = implicit(*probe.region, RAlpha{1});
-      offer(maximum_over_volume(sign * scalar(probe, scope_), problem_, solution_.rule, inside));
+      over_volume(probe, [&](const RegionEvaluator& part, const DomainRule& rule) {
+        offer(maximum_over_volume(sign * scalar(probe, scope_), part, rule));
+      });
     }
     ProbeResult result{&probe, {}, {}, {}, best.at};
     result.values.push_back({"", {finite(sign * best.value, probe)}, false});
@@ -168,9 +178,10 @@ std::vector<ProbeResult> evaluate_probes(const ScalarProblem& problem,
     const bool is_extreme = probe.kind == Probe::Kind::max || probe.kind == Probe::Kind::min;
     for (const Probe& other : problem.problem().probes)
       if (is_extreme && other.name == probe.name + "_at")
-        throw ProblemFileErrors({Mistake{
-            fmt::format("the name '{}' is taken by the place of probe '{}'", other.name, probe.name),
-            other.place}});
+        throw ProblemFileErrors(
+            {Mistake{fmt::format("the name '{}' is taken by the place of probe '{}'", other.name,
+                                 probe.name),
+                     other.place}});
     results.push_back(evaluator.evaluate(probe));
   }
   return results;

@@ -113,7 +113,8 @@ ScalarProblem::ScalarProblem(const Problem& problem)
 }
 
 void ScalarProblem::check_within_grid(const DomainRule& rule) const {
-  // A domain that is cut off by the box has a boundary without points: the divergence theorem fails.
+  // A domain that is cut off by the box has a boundary without points: the divergence theorem
+  // fails.
   if (rule.report().divergence_defect <= 1e-2 * rule.measure()) return;
   const Grid box = grid();
   std::string text;
@@ -127,19 +128,21 @@ void ScalarProblem::check_within_grid(const DomainRule& rule) const {
 void ScalarProblem::check_no_robin() const {
   for (const PieceCondition& condition : conditions_)
     if (condition.kind == Condition::Kind::robin)
-      refuse("robin prescribes the plain normal derivative, which does not follow from an energy "
-             "where the diffusivity is a matrix; use flux or convection (n.K grad u)",
-             problem_.conditions[condition.condition].place);
+      refuse(
+          "robin prescribes the plain normal derivative, which does not follow from an energy "
+          "where the diffusivity is a matrix; use flux or convection (n.K grad u)",
+          problem_.conditions[condition.condition].place);
 }
 
-DomainRule ScalarProblem::rule(const Grid& grid, int more_points) const {
+DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
+                               int more_points) const {
   const int degree = problem_.discretization.degree;
   QuadratureOptions options;
   options.inside_points = problem_.discretization.quadrature_order.value_or(degree + 1);
   options.cut_points = problem_.discretization.quadrature_order.value_or(degree + 3);
   options.inside_points += more_points;
   options.cut_points += more_points;
-  return make_domain_rule(region_, grid, options, interfaces_);
+  return make_domain_rule(region, grid, options, interfaces_);
 }
 
 std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
@@ -214,9 +217,9 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
     options.method = LinearSolverOptions::Method::direct;
   solution.linear = rfm::solve(system, options);
   if (!(solution.linear.relative_residual < 1e-6))
-    throw ComputationError(fmt::format(
-        "the system of equations could not be solved (relative residual {:.1e})",
-        solution.linear.relative_residual));
+    throw ComputationError(
+        fmt::format("the system of equations could not be solved (relative residual {:.1e})",
+                    solution.linear.relative_residual));
   solution.u = solution_fields(structures, spaces, solution.linear.coefficients)[0];
   if (free_constant) {
     solution.u = solution.u - integrate(solution.u, solution.rule) / solution.rule.measure();

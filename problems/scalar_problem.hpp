@@ -57,7 +57,11 @@ class ScalarProblem {
   Grid grid(std::optional<int> cells = {}) const { return problem_grid(problem_, bounds_, cells); }
   /// Quadrature for solving: p + 1 points per axis inside, p + 3 in cut cells and on boundaries;
   /// `more_points` beyond that for measuring errors.
-  DomainRule rule(const Grid& grid, int more_points = 0) const;
+  DomainRule rule(const Grid& grid, int more_points = 0) const {
+    return rule(region_, grid, more_points);
+  }
+  /// The same over another region: a part of the domain.
+  DomainRule rule(const RegionEvaluator& region, const Grid& grid, int more_points = 0) const;
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
   ScalarSolution solve(const Grid& grid) const;
