@@ -69,6 +69,23 @@ double LevelFunction::value_and_gradient(const Point& point, Point& gradient) co
   return tape_->value_and_gradient(point, gradient);
 }
 
+double LevelFunction::value_and_slope(const Line& line, double t, double& slope) const {
+  Point gradient;
+  const double value = value_and_gradient(line.at(t), gradient);
+  slope = gradient[0] * line.direction[0] + gradient[1] * line.direction[1] +
+          gradient[2] * line.direction[2];
+  return value;
+}
+
+LineBounds LevelFunction::bounds(const Line& line, const Interval& range) const {
+  return quadric_ ? quadric_->bounds(line, range) : tape_->bounds(line, range);
+}
+
+std::optional<LinePolynomial> LevelFunction::polynomial_along(const Line& line) const {
+  if (!quadric_) return {};
+  return quadric_->along(line);
+}
+
 Interval LevelFunction::value_bounds(const Box& box) const {
   return quadric_ ? quadric_->value_bounds(box) : tape_->value_bounds(box);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/field.hpp"
 #include "core/field_source.hpp"
+#include "core/line.hpp"
 
 namespace rfm {
 
@@ -29,6 +31,12 @@ class LevelFunction {
   double value_and_slope(const Point& point, int axis, double& slope) const;
   /// The value; `gradient` receives ∇ (zero beyond the dimension).
   double value_and_gradient(const Point& point, Point& gradient) const;
+  /// The value at the point `t` of a line; `slope` receives the derivative with respect to t.
+  double value_and_slope(const Line& line, double t, double& slope) const;
+  /// Bounds of value and slope along the part `range` of a line.
+  LineBounds bounds(const Line& line, const Interval& range) const;
+  /// What a quadric is along a line; nothing for other functions.
+  std::optional<LinePolynomial> polynomial_along(const Line& line) const;
   /// Bounds of the value: fast, for classification.
   Interval value_bounds(const Box& box) const;
   /// Bounds of value and gradient, as tight as is available (Taylor-1 and mean value form).

@@ -5,6 +5,7 @@
 
 #include "core/field.hpp"
 #include "core/field_source.hpp"
+#include "core/line.hpp"
 
 namespace rfm {
 
@@ -26,6 +27,10 @@ struct Quadric {
   /// up to rounding, the value by the better of the natural and the mean value form.
   FunctionBounds bounds(const Box& box) const;
   Interval value_bounds(const Box& box) const;
+  /// Rigorous bounds of value and slope along the part `range` of a line.
+  LineBounds bounds(const Line& line, const Interval& range) const;
+  /// The polynomial along a line.
+  LinePolynomial along(const Line& line) const;
 };
 
 /// The field as a quadric, if its expression is a polynomial of degree ≤ 2 in x, y, z: sums,

@@ -128,6 +128,17 @@ Interval Tape::value_bounds(const Box& box, int root, double time) const {
   });
 }
 
+LineBounds Tape::bounds(const Line& line, const Interval& range, int root, double time) const {
+  if (orders_[root] < 1)
+    throw InvalidArgument("bounds along a line need a tape of first order for the root");
+  // Without derivatives in the expression (they need a higher order) the line is the only variable.
+  if (program_->highest_order == 1)
+    return SinglePoint<1>::bounds(*program_, root, line, range, time);
+  return in_dimension(dimension_, [&]<int N>() {
+    return SinglePoint<N>::bounds(*program_, root, line, range, time);
+  });
+}
+
 double Tape::value(const Point& point, int root, double time) const {
   return in_dimension(dimension_, [&]<int N>() {
     return SinglePoint<N>::value(*program_, root, point, time, nullptr);

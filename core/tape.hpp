@@ -7,6 +7,7 @@
 
 #include "core/field.hpp"
 #include "core/field_source.hpp"
+#include "core/line.hpp"
 
 namespace rfm {
 
@@ -50,6 +51,10 @@ class Tape {
   FunctionBounds bounds(const Box& box, int root = 0, double time = 0) const;
   /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
   Interval value_bounds(const Box& box, int root = 0, double time = 0) const;
+  /// Rigorous bounds of the value of root `root`, which must be of order 1 at least, and of its
+  /// derivative with respect to the parameter of a line, where that lies in `range`: as `bounds`,
+  /// but of second order in the length alone, without a box around the line.
+  LineBounds bounds(const Line& line, const Interval& range, int root = 0, double time = 0) const;
   /// Value and gradient of root `root` at one point, without a workspace. The gradient needs a root
   /// of order 1 at least, or else `InvalidArgument` is thrown.
   double value(const Point& point, int root = 0, double time = 0) const;

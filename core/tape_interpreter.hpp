@@ -112,6 +112,62 @@ struct Interpreter {
     });
   }
 
+  // Jets whose coefficients are Taylor models in the parameter of the line: bounds of second order
+  // in its length.
+  static LineBounds bounds(const Tape::Program& program, int root, const Line& line,
+                           const Interval& t, double time) {
+    const double middle = t.middle();
+    const TaylorBound::Frame frame(
+        {std::max(t.high - middle, middle - t.low) * (1 + 0x1p-50), 0, 0});
+    Box hull;
+    hull.dimension = 3;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Interval coordinate = line.coordinate(axis, t);
+      hull.low[axis] = coordinate.low;
+      hull.high[axis] = coordinate.high;
+    }
+    return at_order(program, [&]<int K>() -> LineBounds {
+      if constexpr (K == 0) {
+        return {Interval::entire(), Interval::entire(), false};
+      } else {
+        using Number = Jet<TaylorBound, N, K>;
+        const auto coordinate = [&](int axis) {
+          const double value = line.origin[axis] + middle * line.direction[axis];
+          TaylorBound model;
+          model.value = value;
+          model.slope[0] = line.direction[axis];
+          model.error =
+              4e-16 * (std::fabs(line.origin[axis]) + std::fabs(middle * line.direction[axis]));
+          model.range = {hull.low[axis], hull.high[axis]};
+          Number number = Number::constant(model);
+          number.c[1 + (N == 1 ? 0 : axis)] = N == 1 ? line.direction[axis] : 1.0;
+          return number;
+        };
+        const Number jet =
+            interpret<TaylorBound, N, K>(program, root, [&](const Instruction& leaf) -> Number {
+              if (leaf.operation == Operation::coordinate)
+                return leaf.index == 3 ? Number(time) : coordinate(leaf.index);
+              Number number = source_bounds<TaylorBound, K>(leaf, hull);
+              if (N == 1 && leaf.operation == Operation::source) {
+                const FunctionBounds known = leaf.source->bounds(hull);
+                Interval slope;
+                for (int axis = 0; axis < 3; ++axis)
+                  slope = slope + Interval(line.direction[axis]) * known.gradient[axis];
+                number.c[1] = of_range<TaylorBound>(slope, known.smooth);
+              }
+              return number;
+            });
+        TaylorBound slope = jet.c[1];
+        if constexpr (N > 1) {
+          slope = TaylorBound(line.direction[0]) * jet.c[1];
+          for (int axis = 1; axis < N; ++axis)
+            slope += TaylorBound(line.direction[axis]) * jet.c[1 + axis];
+        }
+        return {jet.c[0].range, slope.range, jet.c[0].smooth && slope.smooth};
+      }
+    });
+  }
+
   static Interval value_bounds(const Tape::Program& program, int root, const Box& box,
                                double time) {
     return at_order(program, [&]<int K>() {
@@ -179,6 +235,12 @@ template <int N>
 FunctionBounds SinglePoint<N>::bounds(const Tape::Program& program, int root, const Box& box,
                                       double time) {
   return Interpreter<N>::bounds(program, root, box, time);
+}
+
+template <int N>
+LineBounds SinglePoint<N>::bounds(const Tape::Program& program, int root, const Line& line,
+                                  const Interval& range, double time) {
+  return Interpreter<N>::bounds(program, root, line, range, time);
 }
 
 template <int N>

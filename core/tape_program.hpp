@@ -56,6 +56,10 @@ struct SinglePoint {
                       Point* gradient);
   static FunctionBounds bounds(const Tape::Program& program, int root, const Box& box, double time);
   static Interval value_bounds(const Tape::Program& program, int root, const Box& box, double time);
+  /// Bounds along a line, by derivatives in N variables; N = 1 means the derivative along the line
+  /// itself, which serves programs of order 1 of any dimension.
+  static LineBounds bounds(const Tape::Program& program, int root, const Line& line,
+                           const Interval& range, double time);
 };
 
 /// Hash-conses the graphs of `roots`, finds the order that each node needs, and assigns registers.

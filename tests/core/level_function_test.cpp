@@ -120,4 +120,47 @@ TEST(LevelFunction, BreakpointsAreThoseOfAllSourcesInOrder) {
 }
 
 }  // namespace
+
+// Bounds along a line of a quadric, of a tape, and of a tape with derivatives in the expression
+// (those have no short cut).
+TEST(LevelFunction, BoundsAlongALineEncloseValuesAndSlopesAndShrinkWithOrderTwo) {
+  const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+  const Field wave = sin(3 * x) * exp(y) + z * z * x;
+  const std::vector<Field> fields{x * x - 2 * x * y + 0.3 * z * z - 0.1 * y, wave,
+                                  partial(wave, 0) + y * partial(wave, 1)};
+  const Line line{{0.2, -0.1, 0.4}, {0.7, 0.3, -1.1}};
+  for (const Field& field : fields) {
+    const LevelFunction level(field, 3);
+    const auto excess = [&](double length) {
+      const Interval range(0.4 - length / 2, 0.4 + length / 2);
+      const LineBounds bounds = level.bounds(line, range);
+      EXPECT_TRUE(bounds.smooth);
+      constexpr int samples = 101;
+      double low = INFINITY, high = -INFINITY, slope = 0;
+      for (int i = 0; i < samples; ++i) {
+        const double t = range.low + (range.high - range.low) * i / (samples - 1);
+        const double value = level.value_and_slope(line, t, slope);
+        EXPECT_TRUE(bounds.value.contains(value) && bounds.slope.contains(slope)) << "at " << t;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+      return bounds.value.width() - (high - low);
+    };
+    const double coarse = excess(0.1), fine = excess(0.01);
+    EXPECT_LT(fine, 0.03 * coarse + 1e-14);
+    EXPECT_LT(coarse, 0.2);
+  }
+}
+
+TEST(LevelFunction, OfDegreeTwoIsAPolynomialAlongALine) {
+  const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+  const LevelFunction level(1 - x * x + 3 * x * y - y * z + 2 * z, 3);
+  const Line line{{0.2, -0.1, 0.4}, {0.7, 0.3, -1.1}};
+  const auto polynomial = level.polynomial_along(line);
+  ASSERT_TRUE(polynomial);
+  for (const double t : {-1.0, 0.0, 0.3, 2.0})
+    EXPECT_NEAR(polynomial->value(t), level.value(line.at(t)), 1e-14);
+  EXPECT_FALSE(LevelFunction(x * x * x, 3).polynomial_along(line));
+}
+
 }  // namespace rfm

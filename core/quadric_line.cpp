@@ -1,0 +1,43 @@
+#include "core/quadric.hpp"
+
+namespace rfm {
+namespace {
+
+// Place of an entry of A among xx, xy, xz, yy, yz, zz.
+constexpr int entry[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+
+}  // namespace
+
+LinePolynomial Quadric::along(const Line& line) const {
+  const Point slope = gradient(line.origin);
+  LinePolynomial polynomial{value(line.origin), 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    polynomial.linear += slope[i] * line.direction[i];
+    for (int j = 0; j < 3; ++j)
+      polynomial.square += square[entry[i][j]] * line.direction[i] * line.direction[j];
+  }
+  return polynomial;
+}
+
+LineBounds Quadric::bounds(const Line& line, const Interval& range) const {
+  // c + t (b + a t) about the middle of the range.
+  Box middle;
+  middle.dimension = 3;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Interval coordinate = line.coordinate(axis, Interval(range.middle()));
+    middle.low[axis] = coordinate.low;
+    middle.high[axis] = coordinate.high;
+  }
+  const FunctionBounds at_middle = bounds(middle);
+  const Interval t = range - Interval(range.middle());
+  Interval b, a;
+  for (int i = 0; i < 3; ++i) {
+    b = b + at_middle.gradient[i] * Interval(line.direction[i]);
+    for (int j = 0; j < 3; ++j)
+      a = a +
+          Interval(square[entry[i][j]]) * Interval(line.direction[i]) * Interval(line.direction[j]);
+  }
+  return {at_middle.value + t * (b + a * t), b + Interval(2) * a * t, true};
+}
+
+}  // namespace rfm

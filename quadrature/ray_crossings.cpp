@@ -1,0 +1,76 @@
+#include "quadrature/ray_crossings.hpp"
+
+#include "quadrature/root_isolation.hpp"
+
+namespace rfm {
+namespace {
+
+void cross_polynomial(const LinePolynomial& polynomial, double low, double high,
+                      RayCrossings& crossings) {
+  crossings.starts_positive = polynomial.value(low) >= 0;
+  const auto [c, b, a] = polynomial;
+  const auto add = [&](double root) {
+    if (root > low && root <= high) crossings.positions.push_back(root);
+  };
+  if (a == 0) {
+    if (b != 0) add(-c / b);
+    return;
+  }
+  const double discriminant = b * b - 4 * a * c;
+  if (!(discriminant > 0)) return;
+  // The stable pair: no difference of nearly equal numbers.
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  const double first = q / a, second = c / q;
+  add(std::min(first, second));
+  add(std::max(first, second));
+}
+
+void cross_function(const LevelFunction& level, const Line& line, double low, double high,
+                    RayCrossings& crossings) {
+  const LineBounds whole = level.bounds(line, {low, high});
+  if (whole.value.low >= 0 || whole.value.high < 0) {
+    crossings.starts_positive = whole.value.low >= 0;
+    return;
+  }
+  const auto function = [&](double t, double& slope) {
+    return level.value_and_slope(line, t, slope);
+  };
+  const auto slope_bounds = [&](double from, double to) {
+    if (from == low && to == high) return whole.slope;
+    const LineBounds part = level.bounds(line, {from, to});
+    // A part where the sign is known holds no zero, as if the function were monotone there.
+    return part.value.excludes_zero() ? Interval(1) : part.slope;
+  };
+  // Zeros and contacts cut the line into parts of one sign each, which any point inside tells.
+  std::vector<double>& places = crossings.positions;
+  IsolationBudget budget;
+  isolate_roots(
+      function, slope_bounds, low, high, 0.0, [&](double root) { places.push_back(root); }, budget);
+  std::ranges::sort(places);
+  double slope = 0;
+  bool positive = false;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i <= places.size(); ++i) {
+    const double from = i == 0 ? low : places[i - 1], to = i == places.size() ? high : places[i];
+    const bool next = function(0.5 * (from + to), slope) >= 0;
+    if (i == 0)
+      crossings.starts_positive = next;
+    else if (next != positive)
+      places[kept++] = places[i - 1];
+    positive = next;
+  }
+  places.resize(kept);
+}
+
+}  // namespace
+
+void find_crossings(const LevelFunction& level, const Line& line, double low, double high,
+                    RayCrossings& crossings) {
+  crossings.positions.clear();
+  if (const auto polynomial = level.polynomial_along(line))
+    cross_polynomial(*polynomial, low, high, crossings);
+  else
+    cross_function(level, line, low, high, crossings);
+}
+
+}  // namespace rfm
