@@ -6,6 +6,7 @@ add_library(rfm_flags INTERFACE)
 target_compile_features(rfm_flags INTERFACE cxx_std_20)
 target_include_directories(
   rfm_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rfm>)
 # One -march for all targets: translation units that share inline SIMD code must agree on it.
 if(RFM_NATIVE)
