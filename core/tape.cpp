@@ -59,10 +59,15 @@ Tape& Tape::operator=(Tape&&) noexcept = default;
 
 int Tape::instruction_count() const { return static_cast<int>(program_->instructions.size()); }
 
+int Tape::step_count() const { return static_cast<int>(program_->steps.size()); }
+
 Tape::Workspace::Workspace(const Tape& tape)
-    : storage_(static_cast<std::size_t>(tape.program_->rows) * block_size + 8),
+    : storage_(static_cast<std::size_t>(tape.program_->varying_size) +
+               tape.program_->constant_parts.size() + 8),
       data_(aligned(storage_.data())),
-      root_offset_(tape.program_->root_rows) {}
+      root_offset_(tape.program_->root_offsets) {
+  std::ranges::copy(tape.program_->constant_parts, data_ + tape.program_->varying_size);
+}
 
 void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
   if (points.count <= 0) return;
@@ -72,48 +77,36 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
   double* const memory = workspace.data_;
   // Lanes beyond the last point repeat it, so that kernels always work on whole vectors.
   const int padded = (points.count + batch_width - 1) / batch_width * batch_width;
-  const auto fill = [&](const Instruction& instruction, double value, int slope_axis) {
-    double* const row = memory + instruction.result_row * block_size;
-    const int size = jet_size(dimension_, instruction.order);
-    std::fill(row, row + padded, value);
-    for (int i = 1; i < size; ++i)
-      std::fill_n(row + i * block_size, padded, i == 1 + slope_axis ? 1.0 : 0.0);
-  };
   const auto pad = [&](double* row) {
     std::fill(row + points.count, row + padded, row[points.count - 1]);
   };
-  for (std::size_t i = 0; i < program_->instructions.size(); ++i) {
-    const Instruction& instruction = program_->instructions[i];
-    if (const Kernel kernel = program_->kernels[i]) {
-      kernel(instruction, memory, padded);
+  for (int axis = 0; axis < dimension_; ++axis) {
+    double* const row = memory + axis * block_size;
+    if (!points.coordinates[axis])
+      throw InvalidArgument("a block in " + std::to_string(dimension_) + "D needs coordinate " +
+                            std::to_string(axis));
+    std::copy_n(points.coordinates[axis], points.count, row);
+    pad(row);
+  }
+  for (const auto& [number, offset] : program_->inputs) {
+    const Instruction& input = program_->instructions[number];
+    const bool is_time = input.operation == Operation::coordinate;
+    if (!is_time && input.index >= static_cast<int>(points.parameters.size()))
+      throw InvalidArgument("the field needs parameter number " + std::to_string(input.index) +
+                            ", but only " + std::to_string(points.parameters.size()) +
+                            " are given");
+    std::fill_n(memory + offset, batch_width,
+                is_time ? points.time : points.parameters[input.index]);
+  }
+  for (const Step& step : program_->steps) {
+    if (step.kernel) {
+      step.kernel(step, memory, padded);
       continue;
     }
-    double* const row = memory + instruction.result_row * block_size;
-    switch (instruction.operation) {
-      case Operation::coordinate:
-        if (instruction.index == 3) {
-          fill(instruction, points.time, -2);
-        } else {
-          fill(instruction, 0, instruction.index);
-          std::copy_n(points.coordinates[instruction.index], points.count, row);
-          pad(row);
-        }
-        break;
-      case Operation::parameter:
-        if (instruction.index >= static_cast<int>(points.parameters.size()))
-          throw InvalidArgument("the field needs parameter number " +
-                                std::to_string(instruction.index) + ", but only " +
-                                std::to_string(points.parameters.size()) + " are given");
-        fill(instruction, points.parameters[instruction.index], -2);
-        break;
-      case Operation::source:
-        instruction.source->evaluate(points.coordinates, points.count, dimension_,
-                                     instruction.order, row, block_size);
-        for (int k = 0; k < jet_size(dimension_, instruction.order); ++k) pad(row + k * block_size);
-        break;
-      default:
-        fill(instruction, instruction.number, -2);
-    }
+    double* const jets = memory + step.result;
+    program_->instructions[step.index].source->evaluate(points.coordinates, points.count,
+                                                        dimension_, step.order, jets, block_size);
+    for (int k = 0; k < jet_size(dimension_, step.order); ++k) pad(jets + k * block_size);
   }
 }
 

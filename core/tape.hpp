@@ -64,7 +64,10 @@ class Tape {
   int dimension() const { return dimension_; }
   int root_count() const { return static_cast<int>(roots_.size()); }
   int order(int root) const { return orders_[root]; }
+  /// Operations of the expression, as single points and bounds evaluate it.
   int instruction_count() const;
+  /// Steps in which a block is evaluated: polynomials of degree ≤ 2 take one or two.
+  int step_count() const;
   const std::vector<Field>& roots() const { return roots_; }
 
   struct Program;
@@ -85,7 +88,7 @@ class Tape::Workspace {
   explicit Workspace(const Tape& tape);
   /// Coefficient `coefficient` of root `root` at the points of the last evaluation.
   const double* coefficient(int root, int coefficient = 0) const {
-    return data_ + (root_offset_[root] + coefficient) * block_size;
+    return data_ + root_offset_[root] + coefficient * block_size;
   }
 
  private:

@@ -132,24 +132,6 @@ class Compiler {
   std::unordered_map<Key, int, KeyHash> known_;
 };
 
-// Rows freed by finished registers, by size; reused last in, first out while they are in cache.
-class RowPool {
- public:
-  int take(int size) {
-    auto& list = free_[size];
-    if (list.empty()) return std::exchange(rows_, rows_ + size);
-    const int row = list.back();
-    list.pop_back();
-    return row;
-  }
-  void give_back(int row, int size) { free_[size].push_back(row); }
-  int rows() const { return rows_; }
-
- private:
-  std::map<int, std::vector<int>> free_;
-  int rows_ = 0;
-};
-
 // Leaves out what no root needs: constants that went into `scale` and `offset`, and what stood
 // below a derivative that is zero.
 void remove_unused(std::vector<Instruction>& code, std::vector<int>& roots) {
@@ -186,14 +168,12 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
     Instruction& root = code[program->root_instructions[i]];
     root.order = std::max(root.order, orders[i]);
   }
-  std::vector<int> last_use(code.size(), -1);
   for (int i = static_cast<int>(code.size()) - 1; i >= 0; --i) {
     program->highest_order = std::max(program->highest_order, code[i].order);
     for (int operand : code[i].operands) {
       if (operand < 0) continue;
       const int needed = code[i].order + (code[i].operation == Operation::partial ? 1 : 0);
       code[operand].order = std::max(code[operand].order, needed);
-      last_use[operand] = std::max(last_use[operand], i);
     }
   }
   if (program->highest_order > highest_compiled_order(dimension))
@@ -201,27 +181,7 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
                           " are needed, but in " + std::to_string(dimension) +
                           "D only orders up to " +
                           std::to_string(highest_compiled_order(dimension)) + " are available");
-  constexpr int forever = 1 << 30;
-  for (int root : program->root_instructions) last_use[root] = forever;
-
-  // Results never share rows with arguments: rows are given back after the result has its own.
-  RowPool pool;
-  for (int i = 0; i < static_cast<int>(code.size()); ++i) {
-    Instruction& instruction = code[i];
-    for (int k = 0; k < 3; ++k)
-      if (instruction.operands[k] >= 0)
-        instruction.operand_rows[k] = code[instruction.operands[k]].result_row;
-    instruction.result_row = pool.take(jet_size(dimension, instruction.order));
-    for (int k = 0; k < 3; ++k) {
-      const int operand = instruction.operands[k];
-      if (operand < 0 || last_use[operand] != i) continue;
-      last_use[operand] = forever;  // an argument may occur twice
-      pool.give_back(code[operand].result_row, jet_size(dimension, code[operand].order));
-    }
-    program->kernels.push_back(find_kernel(instruction.operation, dimension, instruction.order));
-  }
-  program->rows = pool.rows();
-  for (int root : program->root_instructions) program->root_rows.push_back(code[root].result_row);
+  lower(*program, orders, dimension);
   return program;
 }
 

@@ -13,66 +13,69 @@ struct Kernels {
   static constexpr int width = static_cast<int>(Batch::size());
   static constexpr int block = Tape::block_size;
 
-  static BatchJet load(const double* memory, int row, int lane) {
+  static BatchJet load(const Register& from, const double* memory, int lane) {
     BatchJet jet;
-    for (int i = 0; i < jet.size; ++i)
-      jet.c[i].copy_from(memory + (row + i) * block + lane, std::experimental::element_aligned);
+    const auto read = [&](int first, int last, const Part& part) {
+      const double* const place = memory + part.offset() + lane * part.stride();
+      for (int i = first; i < last; ++i)
+        jet.c[i].copy_from(place + (i - first) * block, std::experimental::element_aligned);
+    };
+    read(0, 1, from.value);
+    if constexpr (K >= 1) read(1, 1 + N, from.gradient);
+    if constexpr (K >= 2) read(1 + N, jet.size, from.rest);
     return jet;
   }
-  static void store(const BatchJet& jet, double* memory, int row, int lane) {
+  static void store(const BatchJet& jet, double* to) {
     for (int i = 0; i < jet.size; ++i)
-      jet.c[i].copy_to(memory + (row + i) * block + lane, std::experimental::element_aligned);
+      jet.c[i].copy_to(to + i * block, std::experimental::element_aligned);
   }
 
   template <Operation operation, int arity>
-  static void apply(const Instruction& instruction, double* memory, int count) {
-    const auto& rows = instruction.operand_rows;
+  static void apply(const Step& step, double* memory, int count) {
     for (int lane = 0; lane < count; lane += width) {
-      const BatchJet a = load(memory, rows[0], lane);
+      const BatchJet a = load(step.arguments[0], memory, lane);
       BatchJet b, c;
-      if constexpr (arity > 1) b = load(memory, rows[1], lane);
-      if constexpr (arity > 2) c = load(memory, rows[2], lane);
-      store(apply_rule<operation>(a, b, c), memory, instruction.result_row, lane);
+      if constexpr (arity > 1) b = load(step.arguments[1], memory, lane);
+      if constexpr (arity > 2) c = load(step.arguments[2], memory, lane);
+      store(apply_rule<operation>(a, b, c), memory + step.result + lane);
     }
   }
 
   template <class Rule>
-  static void apply_to_one(const Instruction& instruction, double* memory, int count,
-                           const Rule& rule) {
+  static void apply_to_one(const Step& step, double* memory, int count, const Rule& rule) {
     for (int lane = 0; lane < count; lane += width)
-      store(rule(load(memory, instruction.operand_rows[0], lane)), memory, instruction.result_row,
-            lane);
+      store(rule(load(step.arguments[0], memory, lane)), memory + step.result + lane);
   }
 
-  static void integer_power(const Instruction& instruction, double* memory, int count) {
-    apply_to_one(instruction, memory, count,
-                 [&](const BatchJet& a) { return rfm::integer_power(a, instruction.index); });
+  static void integer_power(const Step& step, double* memory, int count) {
+    apply_to_one(step, memory, count,
+                 [&](const BatchJet& a) { return rfm::integer_power(a, step.index); });
   }
-  static void real_power(const Instruction& instruction, double* memory, int count) {
-    apply_to_one(instruction, memory, count,
-                 [&](const BatchJet& a) { return rfm::real_power(a, instruction.number); });
+  static void real_power(const Step& step, double* memory, int count) {
+    apply_to_one(step, memory, count,
+                 [&](const BatchJet& a) { return rfm::real_power(a, *step.constants); });
   }
-  static void scale(const Instruction& instruction, double* memory, int count) {
-    apply_to_one(instruction, memory, count,
-                 [&](const BatchJet& a) { return scaled(Batch(instruction.number), a); });
+  static void scale(const Step& step, double* memory, int count) {
+    apply_to_one(step, memory, count,
+                 [&](const BatchJet& a) { return scaled(Batch(*step.constants), a); });
   }
-  static void offset(const Instruction& instruction, double* memory, int count) {
-    apply_to_one(instruction, memory, count, [&](BatchJet a) {
-      a.c[0] += Batch(instruction.number);
+  static void offset(const Step& step, double* memory, int count) {
+    apply_to_one(step, memory, count, [&](BatchJet a) {
+      a.c[0] += Batch(*step.constants);
       return a;
     });
   }
 
   // The argument has one order more; its coefficients shift down: (∂ᵢf)_α = (αᵢ + 1) f_{α+eᵢ}.
-  static void partial(const Instruction& instruction, double* memory, int count) {
+  static void partial(const Step& step, double* memory, int count) {
     for (int i = 0; i < BatchJet::size; ++i) {
       const MultiIndex& alpha = JetTables<N, K>::exponents[i];
-      const double factor = alpha[instruction.index] + 1.0;
-      const int row =
-          instruction.operand_rows[0] + jet_index(N, alpha + unit_index(instruction.index));
-      const double* from = memory + row * block;
-      double* to = memory + (instruction.result_row + i) * block;
-      for (int lane = 0; lane < count; ++lane) to[lane] = factor * from[lane];
+      const double factor = alpha[step.index] + 1.0;
+      int index = jet_index(N, alpha + unit_index(step.index));
+      const Part part = step.arguments[0].part_of(index, N);
+      const double* const from = memory + part.offset() + index * block;
+      double* const to = memory + step.result + i * block;
+      for (int lane = 0; lane < count; ++lane) to[lane] = factor * from[lane * part.stride()];
     }
   }
 

@@ -5,33 +5,38 @@
 #include <vector>
 
 #include "core/tape.hpp"
+#include "core/tape_step.hpp"
 
 namespace rfm {
 
-/// One operation on jets. Memory of blocks is counted in rows of `Tape::block_size` numbers: the
-/// jet of a register of order k takes jet_size(dimension, k) rows from its offset on.
+/// One operation on jets, as single points and bounds see it: every register is a whole jet.
 struct Instruction {
   Operation operation = Operation::constant;
-  int order = 0;
+  int order = 0;  ///< that its users need
   int index = 0;
   double number = 0;
-  /// Instructions whose results are the arguments (single-point evaluation), and their rows.
-  std::array<int, 3> operands{-1, -1, -1};
-  std::array<int, 3> operand_rows{};
-  int result_row = 0;
+  std::array<int, 3> operands{-1, -1, -1};  ///< instructions whose results are the arguments
   std::shared_ptr<const FieldSource> source;
 };
 
-/// The SIMD kernel of one operation, number of variables and order.
-using Kernel = void (*)(const Instruction& instruction, double* memory, int padded_count);
-
+/// A compiled tape: instructions, one per operation, and the steps for blocks made from them.
 struct Tape::Program {
   std::vector<Instruction> instructions;
-  std::vector<Kernel> kernels;  ///< null for leaves, which the tape fills itself
   std::vector<int> root_instructions;
-  std::vector<int> root_rows;
-  int rows = 0;
   int highest_order = 0;
+
+  std::vector<Step> steps;
+  std::vector<double> step_constants;  ///< what `Step::constants` points into
+  std::vector<int> root_offsets;       ///< of the dense results
+  /// A workspace is: rows of the coordinates, `varying_size` numbers in all with the registers,
+  /// then a copy of `constant_parts`. Time and parameters are written into it for each block.
+  int varying_size = 0;
+  std::vector<double> constant_parts;
+  struct Input {
+    int instruction;
+    int offset;
+  };
+  std::vector<Input> inputs;
 };
 
 /// Highest order of derivatives compiled for each number of variables.
@@ -62,9 +67,12 @@ struct SinglePoint {
                            const Interval& range, double time);
 };
 
-/// Hash-conses the graphs of `roots`, finds the order that each node needs, and assigns registers.
+/// Hash-conses the graphs of `roots`, finds the order that each node needs, and makes the steps.
 /// Throws `InvalidArgument` where a higher order than the compiled ones is needed.
 std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
                                              const std::vector<int>& orders, int dimension);
+
+/// Makes the steps for blocks from the instructions, whose orders are known (tape_lowering.cpp).
+void lower(Tape::Program& program, const std::vector<int>& orders, int dimension);
 
 }  // namespace rfm

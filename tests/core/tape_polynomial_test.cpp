@@ -1,0 +1,172 @@
+#include "core/tape_polynomial.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/primitives.hpp"
+#include "core/tape.hpp"
+
+namespace rfm {
+namespace {
+
+const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+
+Field level_of(const Region& region) { return region.primitives()[0]->level; }
+
+struct Case {
+  const char* name;
+  Field field;
+};
+void PrintTo(const Case& polynomial, std::ostream* out) { *out << polynomial.name; }
+
+const Case sums[] = {{"Coordinate", y},
+                     {"Offset", x - 3},
+                     {"Opposite", 0.3 - z},
+                     {"HalfPlane", level_of(half_plane({1, 2}, {3, -4}))},
+                     {"HalfSpace", level_of(half_space({1, 2, 3}, {3, -4, 1}))},
+                     {"Circle", level_of(circle({0.3, -0.2}, 0.7))},
+                     {"Sphere", level_of(sphere({0.3, -0.2, 100}, 0.7))},
+                     {"SphereInAnotherOrder", z* z + (y - 2) * (y - 2) + x* x - 1},
+                     {"ConstantFirst", 1 - x* x - 3 * y},
+                     {"ConstantAmong", x* x - 0.7 + 3 * y},
+                     {"Saddle", x* x - y* y},
+                     {"Paraboloid", z - 0.3 * pow(x - 1, 2) - y* y},
+                     {"Slab", 0.25 - pow(0.1 - x, 2)},
+                     {"OppositeOfASum", z - -(x* x + y * y)},
+                     {"Slope", partial((x + 2 * y) * (x - z), 0)},
+                     {"SlopeOfAConstant", partial(3 * x, 0)}};
+const Case others[] = {{"Ellipse", level_of(ellipse({0.3, -0.2}, {1.5, 0.4}, 0.6))},
+                       {"Expanded", 3 - 2 * x + 5 * x* y - (x - y) * (2 * x + 1) / 4},
+                       {"Product", (x - 1) * (2 - x)},
+                       {"TwoOrigins", 0.6 * (x - 1) + 0.8 * (x - 3) + y},
+                       {"Cancelling", x + y - x},
+                       {"Cylinder", level_of(cylinder({1, 2, 3}, {1, 1, 0.3}, 0.5, INFINITY))},
+                       {"Saddle3", x* y + y* z - 2 * z* x + 0.5},
+                       {"Quotient", (x - 0.3) / 7 + y},
+                       {"SquareOfASum", pow(x - 3 * y + 1, 2) + z},
+                       {"ScaledSum", 2 - 0.3 * (x * x + y * y)},
+                       {"ScaledTwice", 0.3 * (0.7 * x) + 0.1 * (0.3 * (x * x + y * y))}};
+
+// Derivatives are not evaluated operation by operation.
+bool is_slope(const Case& polynomial) { return std::string(polynomial.name).starts_with("Slope"); }
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases(std::begin(sums), std::end(sums));
+  cases.insert(cases.end(), std::begin(others), std::end(others));
+  return cases;
+}
+
+// A block of random points with coordinates in [−range, range].
+struct Points {
+  explicit Points(unsigned seed, double range = 3) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> uniform(-range, range);
+    for (auto& axis : coordinates)
+      for (double& value : axis) value = uniform(generator);
+  }
+  Point operator[](int i) const {
+    return {coordinates[0][i], coordinates[1][i], coordinates[2][i]};
+  }
+  PointBlock block() const {
+    return {{coordinates[0].data(), coordinates[1].data(), coordinates[2].data()}, 64};
+  }
+  std::array<std::array<double, 64>, 3> coordinates;
+};
+
+class Polynomials : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(TapePolynomial, Polynomials, testing::ValuesIn(all_cases()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(Polynomials, HaveTheDerivativesOfTheirExpressions) {
+  // Single points are evaluated operation by operation, derivatives of them by jets.
+  const int highest = is_slope(GetParam()) ? 2 : 3;
+  const Points points(5);
+  for (int dimension = 1; dimension <= 3; ++dimension)
+    for (int order = 0; order <= highest; ++order) {
+      const Tape tape({GetParam().field}, {order}, dimension);
+      Tape::Workspace workspace(tape);
+      tape.evaluate(points.block(), workspace);
+      for (int a = 0; a <= order; ++a)
+        for (int b = 0; b <= (dimension > 1 ? order - a : 0); ++b)
+          for (int c = 0; c <= (dimension > 2 ? order - a - b : 0); ++c) {
+            const MultiIndex alpha{static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
+                                   static_cast<std::uint8_t>(c)};
+            const Tape derivative({partial(GetParam().field, alpha)}, {0}, dimension);
+            const double* const found = workspace.coefficient(0, jet_index(dimension, alpha));
+            // Sizes with the sphere about z = 100: 10⁴, 200, and all else is moderate.
+            const double tolerance = 4e-16 * (a + b + c == 0 ? 1e4 : 200);
+            for (int i = 0; i < 64; ++i)
+              EXPECT_NEAR(found[i] * factorial(alpha), derivative.value(points[i]), tolerance)
+                  << dimension << "D order " << order << ": " << a << b << c;
+          }
+    }
+}
+
+class Sums : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(TapePolynomial, Sums, testing::ValuesIn(sums),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(Sums, AreRoundedAsTheirOperationsAre) {
+  for (int order = 0; order <= 2; ++order) {
+    const Tape tape({GetParam().field}, {order}, 3);
+    Tape::Workspace workspace(tape);
+    const Points points(7, 1.5);
+    tape.evaluate(points.block(), workspace);
+    for (int i = 0; i < 64; ++i) {
+      if (is_slope(GetParam()))
+        EXPECT_NEAR(workspace.coefficient(0)[i], tape.value(points[i]), 1e-14);
+      else
+        EXPECT_EQ(workspace.coefficient(0)[i], tape.value(points[i]));
+    }
+  }
+}
+
+TEST(TapePolynomial, ASumIsOneStep) {
+  for (const auto& [name, field] : sums) {
+    SCOPED_TRACE(name);
+    const Tape alone({sqrt(field)}, {2}, 3);
+    EXPECT_LE(alone.step_count(), 2);
+  }
+}
+
+TEST(TapePolynomial, ExactZerosStayExact) {
+  const Field fields[] = {x * x - y * y, (x - y) * (x + y), x - y, y, (x - 0.3) * (y - 0.7)};
+  const double a = 0.1 + 0.2, b = 1 / 3.0;
+  const double zeros[][2] = {{b, -b}, {a, a}, {a, a}, {a, 0}, {0.3, a}};
+  for (int k = 0; k < 5; ++k) {
+    const Tape tape({fields[k]}, {2}, 2);
+    Tape::Workspace workspace(tape);
+    tape.evaluate({{&zeros[k][0], &zeros[k][1]}, 1}, workspace);
+    EXPECT_EQ(workspace.coefficient(0)[0], 0);
+  }
+}
+
+TEST(TapePolynomial, ASmallCircleFarAwayLosesNoDigits) {
+  // At exactly representable offsets from the centre all is exact.
+  const double center = 0x1p30 + 0.5, radius = 0x1p-10;
+  const Field u = x - center, v = y + center;
+  const Tape tape({radius * radius - u * u - v * v}, {2}, 2);
+  Tape::Workspace workspace(tape);
+  const double px = center + radius, py = -center + radius / 2;
+  tape.evaluate({{&px, &py}, 1}, workspace);
+  EXPECT_EQ(workspace.coefficient(0)[0], -radius * radius / 4);
+  EXPECT_EQ(workspace.coefficient(0, 1)[0], -2 * radius);
+  EXPECT_EQ(workspace.coefficient(0, 2)[0], -radius);
+  EXPECT_EQ(workspace.coefficient(0, jet_index(2, {2}))[0], -1);
+  EXPECT_EQ(workspace.coefficient(0, jet_index(2, {1, 1}))[0], 0);
+}
+
+TEST(TapePolynomial, CoefficientsThatOverflowAreLeftToTheOperations) {
+  const Tape tape({pow(1e200 * (x - 1), 2) * 1e-300}, {1}, 1);
+  Tape::Workspace workspace(tape);
+  const double at = 1 + 0x1p-40;
+  tape.evaluate({{&at}, 1}, workspace);
+  Point gradient;
+  EXPECT_EQ(workspace.coefficient(0)[0], tape.value_and_gradient({at}, gradient));
+  EXPECT_EQ(workspace.coefficient(0, 1)[0], gradient[0]);
+}
+
+}  // namespace
+}  // namespace rfm
