@@ -12,12 +12,13 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   active_ = &active;
   bounds_ = bounds;
   height_ = height;
-  certified_ = contacts_resolved_ = true;
+  certified_ = true;
+  has_contacts_ = false;
   if (!find_curves() && !options.best_effort) return Outcome::constant_surface;
   if (!choose_inner(options)) return Outcome::not_reduced;
   set_proofs();
+  if (!accept_contacts() && !options.best_effort) return Outcome::not_reduced;
   find_breakpoints();
-  if (!contacts_resolved_ && !options.best_effort) return Outcome::not_reduced;
   find_walls(
       standing_, box.low[outer()], box.high[outer()],
       [&](double place) { return outer_signs(place); }, walls_);
@@ -35,6 +36,7 @@ void Reduction3D::set_proofs() {
     curve.meeting = along.is_zero()                               ? Meeting::never
                     : curve.is_crossing && !along.excludes_zero() ? Meeting::unknown
                                                                   : Meeting::at_most_once;
+    curve.slope = -(curve.gradient[outer()] / along);
     if (curve.is_crossing)
       proofs_.crossings[curve.first][curve.second] = curve.meeting;
     else
@@ -72,8 +74,9 @@ void Reduction3D::find_breakpoints() {
   add_face_breakpoints(box_.low[inner_]);
   add_face_breakpoints(box_.high[inner_]);
   std::ranges::sort(breakpoints_);
-  add_crossings_of_traces();
-  add_changes_of_order();
+  // A crossing ends where traces of its surfaces meet: these come first.
+  add_meetings(false);
+  add_meetings(true);
 }
 
 // Where curves enter or leave through the faces of the inner axis: the breakpoints of these faces.
@@ -94,35 +97,6 @@ void Reduction3D::add_face_breakpoints(double inner_coordinate) {
   for (const auto& breakpoint : section_.breakpoints())
     if (breakpoint.cause != Reduction2D::Breakpoint::side_of_box)
       breakpoints_.push_back(breakpoint.position);
-}
-
-// Where two of the traces and vertical surfaces cross. A bottom trace may cross a top trace: then
-// nothing meets in space, but the inner integral has a kink.
-void Reduction3D::add_crossings_of_traces() {
-  const Plane plane = base_plane();
-  const auto is_graph = [&](const Curve& curve) {
-    return !curve.is_crossing && curve.meeting == Meeting::at_most_once;
-  };
-  for (std::size_t a = 0; a < curves_.size(); ++a)
-    for (std::size_t b = a + 1; b < curves_.size(); ++b) {
-      if (!is_graph(curves_[a]) || !is_graph(curves_[b]) || curves_[a].first == curves_[b].first)
-        continue;
-      const PlaneGraph p = base_graph(curves_[a]), q = base_graph(curves_[b]);
-      if (rfm::proven_apart(plane, p, q)) continue;
-      const auto exist = [&](double place) {
-        return find_crossing(*p.surface, height_line(plane, p, place)).exists &&
-               find_crossing(*q.surface, height_line(plane, q, place)).exists;
-      };
-      for (std::size_t k = 0; k + 1 < breakpoints_.size(); ++k) {
-        const double from = breakpoints_[k], to = breakpoints_[k + 1];
-        if (to - from <= negligible_width() || !exist(0.5 * (from + to))) continue;
-        certified_ &= isolate_crossings(plane, p, q, from, to, found_);
-      }
-      if (found_.empty()) continue;
-      breakpoints_.insert(breakpoints_.end(), found_.begin(), found_.end());
-      found_.clear();
-      std::ranges::sort(breakpoints_);
-    }
 }
 
 SurfaceSigns Reduction3D::outer_signs(double place) const {

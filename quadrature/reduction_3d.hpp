@@ -11,15 +11,20 @@ namespace rfm {
 ///
 /// Breakpoints of sections move along curves of the (outer, inner) plane: traces of the surfaces on
 /// bottom and top, surfaces independent of the height, and crossings of two graphs. The inner axis
-/// is chosen so that these curves are graphs over the outer axis; a crossing curve along which two
-/// surfaces only touch is no graph that could be proved, and may be left to isolation in every
-/// section.
+/// is chosen so that these curves are graphs over the outer axis. Breakpoints of the outer axis are
+/// where a curve enters or ends and where two curves meet; all of them are isolated with bounds of
+/// the slopes, so that no pair of events within one interval is missed.
+///
+/// Surfaces that only touch have no crossing curve that could be proved a graph. Where they touch
+/// their order does not change and nothing has to be split: with `allow_contacts` such a pair is
+/// accepted on the evidence of its critical points (see `only_touch`) and counted in
+/// `has_contacts`.
 class Reduction3D {
  public:
   struct Options {
     /// Curves may be as steep as 1 / flatness.
     double flatness = 0;
-    /// Crossing curves that no axis proves are isolated in every section.
+    /// Pairs of surfaces that only touch may be accepted by evidence.
     bool allow_contacts = false;
     /// Reduce in any case, uncertified.
     bool best_effort = false;
@@ -50,6 +55,8 @@ class Reduction3D {
   /// Surfaces that depend on the outer coordinate alone.
   SurfaceSigns outer_only() const { return outer_only_; }
   bool certified() const { return certified_; }
+  /// Some surfaces touch in the box as far as samples tell.
+  bool has_contacts() const { return has_contacts_; }
   double negligible_width() const { return 1e-14 * box_.length(outer()); }
 
   /// The section at an outer coordinate; the reference is valid until the next call.
@@ -59,6 +66,8 @@ class Reduction3D {
   /// A curve of the (outer, inner) plane.
   struct Curve {
     std::array<Interval, 3> gradient;
+    /// Bounds of the slope of the inner coordinate over the outer one.
+    Interval slope;
     int first = 0;
     /// The other surface of a crossing, or the end (bottom, top) of a trace.
     int second = 0;
@@ -74,14 +83,35 @@ class Reduction3D {
   bool proven_apart(int first, int second) const;
   bool coincide(int first, int second) const;
   bool choose_inner(const Options& options);
+  bool accept_contacts();
+  bool only_touch(const Curve& crossing) const;
   void set_proofs();
   void find_breakpoints();
   void add_face_breakpoints(double inner_coordinate);
-  void add_crossings_of_traces();
-  void add_changes_of_order();
-  bool changes_sign(const Curve& crossing) const;
+  void add_meetings(bool of_crossings);
+  void add_meetings(const Curve& a, const Curve& b);
+  bool may_meet(const Curve& a, const Curve& b) const;
+
+  /// Where a curve is in a section: its inner coordinate, or the end of the section nearest to it.
+  struct CurvePoint {
+    double position = 0;
+    bool exists = false;
+    /// Of the position over the outer coordinate.
+    double slope = 0;
+    /// Its height in space.
+    double height = 0;
+  };
+  CurvePoint curve_point(const Curve& curve, double outer_coordinate) const;
+  CurvePoint trace_point(const Curve& trace, double outer_coordinate) const;
+  CurvePoint crossing_point(const Curve& crossing, double outer_coordinate) const;
+  Interval existence(int surface, double outer_coordinate) const;
+  Interval slope_bounds(const Curve& curve, double from, double to) const;
+  Plane section_plane(double outer_coordinate) const;
   SurfaceSigns outer_signs(double place) const;
   Plane base_plane() const { return {box_, outer(), inner_}; }
+  PlaneGraph section_graph(int surface, double outer_coordinate) const {
+    return {active_->surfaces[surface], &bounds_[surface], outer_coordinate};
+  }
   PlaneGraph base_graph(const Curve& curve) const;
 
   Box box_;
@@ -100,8 +130,7 @@ class Reduction3D {
   std::vector<Wall> walls_;
   SurfaceSigns outer_only_ = 0;
   bool certified_ = true;
-  /// Every crossing curve left to isolation is a contact, or meets every section once.
-  bool contacts_resolved_ = true;
+  bool has_contacts_ = false;
   Reduction2D section_;
 };
 

@@ -126,7 +126,12 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
     }
     if (outcome == Reduction3D::Outcome::not_reduced) continue;
     visitor_->reduced(space_);
-    if (!space_.certified()) add_uncertified(box);
+    if (!space_.certified()) {
+      add_uncertified(box);
+    } else if (space_.has_contacts()) {
+      ++uncertified_.contact_boxes;
+      uncertified_.contact_measure += box.measure();
+    }
     return true;
   }
   if (may_bisect(depth)) return false;

@@ -22,9 +22,9 @@ struct SubdivisionOptions {
   /// From this depth on a rotated frame is tried in 2D: it resolves corners where one curve is
   /// horizontal and another vertical.
   int rotation_depth = 8;
-  /// From this depth on in 3D, crossing curves along which surfaces may only touch are isolated in
-  /// every section of the box: bisection would follow such a curve to the bottom. A plane tangent
-  /// to a torus along a circle costs 1 ms a cell with 4, 3 ms with 8, and 70 ms without.
+  /// From this depth on in 3D, surfaces that only touch as far as samples tell are accepted:
+  /// bisection would follow the place where they touch to the bottom. A plane tangent to a torus
+  /// along a circle costs 1 ms a cell with 4, 3 ms with 8, and 70 ms without.
   int contact_depth = 6;
 };
 
@@ -33,10 +33,17 @@ struct SubdivisionOptions {
 struct Uncertified {
   int boxes = 0;
   double measure = 0;
+  /// Boxes in which surfaces of space seem to touch without crossing: bounds cannot prove a
+  /// tangency, but the extrema of their distance have one sign up to rounding. The rules there have
+  /// full order if that is so everywhere; these boxes are not counted above.
+  int contact_boxes = 0;
+  double contact_measure = 0;
 
   Uncertified& operator+=(const Uncertified& other) {
     boxes += other.boxes;
     measure += other.measure;
+    contact_boxes += other.contact_boxes;
+    contact_measure += other.contact_measure;
     return *this;
   }
 };
