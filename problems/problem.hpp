@@ -144,8 +144,14 @@ struct Verification {
 };
 
 struct Picture {
+  /// A formula of results: a scalar is drawn in colours, a vector with arrows.
   std::string field = "u";
+  /// About how many contour lines; they lie at round numbers.
   int contours = 10;
+  int width = 1000;  ///< in pixels
+  /// What the colours span; nothing: from the smallest to the largest value.
+  std::optional<std::pair<double, double>> range;
+  enum class Colours { uniform, diverging } colours = Colours::uniform;
 };
 
 struct Outputs {

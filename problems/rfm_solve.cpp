@@ -55,10 +55,6 @@ std::string result_folder(const rfm::CommandLine& command, const std::string& fi
 
 int solve_all(const rfm::CommandLine& command) {
   rfm::clean_up_on_interrupt();
-  if (command.picture) {
-    std::fputs("rfm-solve: --picture is not supported yet\n", stderr);
-    return wrong_input;
-  }
   std::set<std::string> folders;
   for (const std::string& file : command.files)
     if (!folders.insert(result_folder(command, file)).second) {
@@ -73,6 +69,7 @@ int solve_all(const rfm::CommandLine& command) {
     options.output = result_folder(command, file);
     options.verify = command.verify;
     options.converge = command.converge;
+    options.picture = command.picture;
     options.json = command.json;
     options.quiet = command.quiet;
     status = std::max(status, guarded([&] { return rfm::run_problem(file, options); }));

@@ -8,6 +8,7 @@
 #include "core/r_functions.hpp"
 #include "problems/field_sampling.hpp"
 #include "problems/output/vtu_file.hpp"
+#include "problems/pictures/write_pictures.hpp"
 #include "problems/reader.hpp"
 #include "problems/resolved_document.hpp"
 #include "problems/result_folder.hpp"
@@ -227,6 +228,8 @@ int run_problem(const std::string& file, const RunOptions& options) {
   const std::string name = std::filesystem::path(file).stem().string();
   const FieldMesh mesh = sampled_fields(scalar, grid, solution);
   folder.write(name + ".vtu", [&](const std::string& path) { write_vtu(mesh, path); });
+  if (options.picture || problem.outputs.picture)
+    write_pictures(folder, name, scalar, solution, report.convergence, log);
   if (const std::string csv = probes_csv(report.probes); !csv.empty())
     folder.write_text("probes.csv", csv);
   folder.write_text("input.resolved.yaml", document_text(problem.document));

@@ -14,7 +14,8 @@ struct RunOptions {
   bool verify = true;
   /// Grids in all, each with twice the cells of the one before; 1 is the file's own.
   int converge = 1;
-  bool json = false;  ///< print summary.json instead of the log
+  bool picture = false;  ///< draw what outputs.picture asks for, or u
+  bool json = false;     ///< print summary.json instead of the log
   bool quiet = false;
 };
 

@@ -23,6 +23,36 @@ std::vector<int> read_cells(const DocumentNode& node, ValueReader& values) {
   return values.integers(node).value_or(std::vector<int>{});
 }
 
+void check_formula_of_results(const DocumentNode& node, ValueReader& values) {
+  ExpressionScope scope = values.scope;
+  define_results(scope, stand_in_results(values.dimension));
+  refuse_normal(scope, values.dimension, "is known on a boundary only");
+  values.deferred(node, scope);
+}
+
+std::optional<Picture> read_picture(const DocumentNode& node, ValueReader& values) {
+  if (node.is_scalar() && node.text != "true") return std::nullopt;
+  Picture picture;
+  if (const DocumentNode* field = values.find(node, "field")) {
+    check_formula_of_results(*field, values);
+    picture.field = field->text;
+  }
+  if (const DocumentNode* contours = values.find(node, "contours"))
+    picture.contours = values.integer(*contours).value_or(picture.contours);
+  if (const DocumentNode* width = values.find(node, "width"))
+    picture.width = values.integer(*width).value_or(picture.width);
+  if (const DocumentNode* colours = values.find(node, "colours"))
+    if (colours->text == "diverging") picture.colours = Picture::Colours::diverging;
+  if (const DocumentNode* range = values.find(node, "range")) {
+    const auto bounds = values.numbers(*range);
+    if (bounds && (bounds->size() != 2 || !((*bounds)[0] < (*bounds)[1])))
+      values.mistakes.add("expected two numbers [low, high] with low < high", range->place);
+    else if (bounds)
+      picture.range = {(*bounds)[0], (*bounds)[1]};
+  }
+  return picture;
+}
+
 }  // namespace
 
 Discretization read_discretization(const DocumentNode& root, ValueReader& values) {
@@ -161,15 +191,8 @@ void read_outputs(const DocumentNode& root, ValueReader& values, Problem& proble
   if (const DocumentNode* vtu = values.find(*map, "vtu"))
     if (const DocumentNode* resolution = values.find(*vtu, "resolution"))
       problem.outputs.resolution = values.integer(*resolution).value_or(128);
-  const DocumentNode* picture = values.find(*map, "picture");
-  if (!picture || (picture->is_scalar() && picture->text != "true")) return;
-  problem.outputs.picture.emplace();
-  if (const DocumentNode* field = values.find(*picture, "field")) {
-    check_name(*field);
-    problem.outputs.picture->field = field->text;
-  }
-  if (const DocumentNode* contours = values.find(*picture, "contours"))
-    problem.outputs.picture->contours = values.integer(*contours).value_or(10);
+  if (const DocumentNode* picture = values.find(*map, "picture"))
+    problem.outputs.picture = read_picture(*picture, values);
 }
 
 }  // namespace rfm

@@ -137,9 +137,18 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"outputs.vtu.resolution", integer_value, standard("128"),
      "Points along the longest side of the domain.", works, between(1, 10000)},
     {"outputs.picture", map_value | boolean_value, optional, "A picture of the solution."},
-    {"outputs.picture.field", name_value, standard("u"), "What is shown."},
-    {"outputs.picture.contours", integer_value, standard("10"), "The number of contour lines.",
-     works, between(0, 1000)},
+    {"outputs.picture.field", result_value, standard("u"),
+     "What is shown, a formula: a scalar in colours, a vector with arrows."},
+    {"outputs.picture.contours", integer_value, standard("10"),
+     "About how many contour lines of a scalar, at round numbers.", works, between(0, 1000)},
+    {"outputs.picture.width", integer_value, standard("1000"), "Its width in pixels.", works,
+     between(200, 10000)},
+    {"outputs.picture.range", numbers_value, optional,
+     "What the colours span, [low, high]; without it, all values."},
+    {"outputs.picture.colours", word_value, standard("uniform"), "The colours."},
+    {"outputs.picture.colours=uniform", word_value, optional, "From dark blue to yellow."},
+    {"outputs.picture.colours=diverging", word_value, optional,
+     "Blue below zero, red above, white at zero."},
 });
 
 }  // namespace

@@ -22,9 +22,9 @@ PictureLayout picture_layout(const PictureRequest& request) {
                      (has_bar_title ? 1.4 * font : 0);
   const double left = margin + request.left_margin;
   const double bar_width = 1.3 * font, gap = 1.4 * font;
-  double bar_space = 0;
-  if (request.scale) bar_space = gap + bar_width + colour_bar_label_width(*request.scale, font);
-  const double room = std::max(1.0, request.width - left - bar_space - margin);
+  double right_space = request.right_margin;
+  if (request.scale) right_space = gap + bar_width + colour_bar_label_width(*request.scale, font);
+  const double room = std::max(1.0, request.width - left - right_space - margin);
   const double tallest = 1.25 * request.width, flattest = 0.25 * request.width;
   const double shown_width = std::min(room, tallest / request.aspect);
   const double shown_height = shown_width * request.aspect;

@@ -15,8 +15,8 @@ struct PictureRequest {
   /// Beside the picture, if any.
   std::optional<ColourScale> scale;
   ColourBarStyle bar;
-  /// Pixels for the numbers of axes, at the left and below; 0 without axes.
-  double left_margin = 0, bottom_margin = 0;
+  /// Pixels for the numbers of axes, at the left and below, and for what else stands at the right.
+  double left_margin = 0, bottom_margin = 0, right_margin = 0;
 };
 
 /// Where the parts of a picture go: title on top, what is shown below it at the left, the colour

@@ -1,0 +1,42 @@
+#include "problems/pictures/shown_field.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "problems/output/ticks.hpp"
+#include "problems/result_scope.hpp"
+
+namespace rfm {
+namespace {
+
+ValueRange extended(const ValueRange& range) {
+  const double size = range.high - range.low;
+  if (!(size > 0)) return range;
+  const double step = nice_ticks(range.low, range.high, 8).step, little = 0.005 * size;
+  const double low = step * std::floor(range.low / step),
+               high = step * std::ceil(range.high / step);
+  return {range.low - low < little ? low : range.low,
+          high - range.high < little ? high : range.high};
+}
+
+}  // namespace
+
+ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
+                       const Picture& picture) {
+  ExpressionScope scope = problem.scope;
+  define_results(scope, {solution.u, solution.flux, problem.dimension});
+  ShownField shown;
+  shown.components = evaluate(Expression(picture.field), scope).components;
+  shown.name = shown.is_vector() ? "|" + picture.field + "|" : picture.field;
+  shown.title =
+      problem.title.empty() ? std::filesystem::path(problem.file).stem().string() : problem.title;
+  return shown;
+}
+
+ValueRange shown_range(const Picture& picture, const ValueRange& data) {
+  if (picture.range) return {picture.range->first, picture.range->second};
+  if (picture.colours == Picture::Colours::diverging) return extended(symmetric_about_zero(data));
+  return extended(data);
+}
+
+}  // namespace rfm

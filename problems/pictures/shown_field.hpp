@@ -1,0 +1,25 @@
+#pragma once
+
+#include "problems/output/colour_map.hpp"
+#include "problems/scalar_problem.hpp"
+
+namespace rfm {
+
+/// What a picture shows.
+struct ShownField {
+  std::string title;  ///< of the picture
+  std::string name;   ///< of the field: |flux| for a vector
+  std::vector<Field> components;
+  bool is_vector() const { return components.size() > 1; }
+};
+
+/// Gives the names in `picture.field` their meaning. Throws `ProblemFileErrors` if there is none.
+ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
+                       const Picture& picture);
+
+/// What the colours (or the axis, in 1D) span: as the file asks, else `data`, symmetric about zero
+/// for diverging colours. Pixels miss the extremes on the boundary by a little: an end that is less
+/// than half a percent short of a round number is extended to it.
+ValueRange shown_range(const Picture& picture, const ValueRange& data);
+
+}  // namespace rfm

@@ -1,0 +1,20 @@
+#include "problems/pictures/write_pictures.hpp"
+
+#include "problems/pictures/solution_picture.hpp"
+
+namespace rfm {
+
+void write_pictures(ResultFolder& folder, const std::string& name, const ScalarProblem& problem,
+                    const ScalarSolution& solution, const std::vector<ConvergenceRow>&,
+                    RunLog& log) {
+  const auto add = [&](const std::string& file, const Image& image) {
+    folder.write(file, [&](const std::string& path) { write_png(image, path); });
+  };
+  std::vector<std::string> remarks;
+  const Picture picture = problem.problem().outputs.picture.value_or(Picture{});
+  if (const auto image = draw_solution(problem, solution, picture, remarks))
+    add(name + ".png", *image);
+  for (const std::string& remark : remarks) log.line("note: {}", remark);
+}
+
+}  // namespace rfm

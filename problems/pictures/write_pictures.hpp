@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/result_folder.hpp"
+#include "problems/run_log.hpp"
+#include "problems/verification.hpp"
+
+namespace rfm {
+
+/// Adds NAME.png, the picture that `outputs.picture` asks for (or of u), to a result.
+void write_pictures(ResultFolder& folder, const std::string& name, const ScalarProblem& problem,
+                    const ScalarSolution& solution, const std::vector<ConvergenceRow>& convergence,
+                    RunLog& log);
+
+}  // namespace rfm
