@@ -1,5 +1,7 @@
 #include "solvers/assembly.hpp"
 
+#include <numeric>
+
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for_each.h>
 
@@ -24,9 +26,17 @@ void require_consistent(std::span<const TensorProductSpace> spaces, const Domain
 }  // namespace
 
 std::vector<std::uint8_t> cells_in_region(const DomainRule& rule) {
+  constexpr double smallest_part = 1e-15;
   std::vector<std::uint8_t> cells(rule.grid().cell_count());
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    cells[cell] = rule.state(static_cast<int>(cell)) != CellState::outside;
+  for (const int cell : rule.inside_cells()) cells[cell] = 1;
+  double measure = 1;
+  for (int axis = 0; axis < rule.dimension(); ++axis) measure *= rule.grid().spacing(axis);
+  for (std::size_t i = 0; i < rule.cut_cells().size(); ++i) {
+    const PointRange range = rule.cut_range(static_cast<int>(i));
+    const auto first = rule.cut_points().weights.begin();
+    const double part = std::accumulate(first + range.begin, first + range.end, 0.0) / measure;
+    cells[rule.cut_cells()[i]] = rule.dimension() == 1 || part > smallest_part;
+  }
   return cells;
 }
 

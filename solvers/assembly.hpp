@@ -12,7 +12,11 @@
 
 namespace rfm {
 
-/// One flag per cell of the grid: whether the region meets it, for the spaces of a problem.
+/// One flag per cell of the grid: whether the region meets it, for the spaces of a problem. In two
+/// and three dimensions cells of which less than 10⁻¹⁵ is inside do not count: where a curved
+/// boundary touches a grid line, rounding makes a cap of height ε with a part ε^((d + 1)/2) of the
+/// cell. Splines that live on such caps alone would be the same function up to rounding (the system
+/// would be singular), and without them the energy of the solution changes by less than that part.
 std::vector<std::uint8_t> cells_in_region(const DomainRule& rule);
 
 /// The quadratic energy Σ ∫ (½ dᵀ C d − bᵀ d) as a function of the coefficients of the undetermined

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <Eigen/Dense>
+#include <numeric>
 #include <random>
 
 #include "core/error.hpp"
@@ -233,6 +234,30 @@ TEST(Assembly, RefusesWhatDoesNotFitTogether) {
   energy = {};
   energy.add_load({0, {0, 0, 1}}, 1.0);  // ∂/∂z in the plane
   EXPECT_THROW(assembled(psi, space, {energy}), InvalidArgument);
+}
+
+TEST(CellsInRegion, LeaveOutCapsOfRoundingSize) {
+  // Balls that reach beyond the grid planes x, y, z = ±1 by `height`, far less than a cell of 1/2.
+  const auto cells = [](double height) {
+    const Grid grid({3, {-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}}, {6, 6, 6});
+    const std::vector<std::uint8_t> flags =
+        cells_in_region(rule_for(sphere({0, 0, 0}, 1 + height), grid, 2));
+    return std::accumulate(flags.begin(), flags.end(), 0);
+  };
+  EXPECT_EQ(cells(1e-12), cells(-1e-3));
+  EXPECT_EQ(cells(1e-3), cells(-1e-3) + 6 * 4) << "four cells meet at each of six poles";
+}
+
+TEST(CellsInRegion, ABallThatTouchesGridLinesIsSolved) {
+  // −Δu + u = 1 with du/dn = 0 has the solution 1.
+  const Grid grid({3, {-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}}, {6, 6, 6});
+  for (const double height : {0.0, 1e-14, 1e-13, 1e-12}) {
+    const DomainRule rule = rule_for(sphere({0, 0, 0}, 1 + height), grid, 2);
+    const TensorProductSpace space(grid, 2, cells_in_region(rule));
+    const Contribution contribution{diffusion(3, 1, 1, 1)};
+    const Field u = solve_one(Structure::undetermined(), space, {&contribution, 1}, rule);
+    EXPECT_LT(norms(u - 1, rule).l2, 1e-12) << height;
+  }
 }
 
 }  // namespace
