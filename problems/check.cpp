@@ -1,6 +1,10 @@
 #include "problems/check.hpp"
 
+#include <filesystem>
+
+#include "problems/pictures/check_picture.hpp"
 #include "problems/reader.hpp"
+#include "problems/result_folder.hpp"
 #include "problems/run_log.hpp"
 #include "problems/scalar_problem.hpp"
 #include "solvers/assembly.hpp"
@@ -21,10 +25,25 @@ const char* kind_name(Condition::Kind kind) {
   }
 }
 
+void write_picture(const std::string& file, const std::string& output, const ScalarProblem& problem,
+                   const DomainRule& rule, RunLog& log) {
+  std::vector<std::string> remarks;
+  const int width = problem.problem().outputs.picture.value_or(Picture{}).width;
+  const std::optional<Image> image = draw_check(problem, rule, width, remarks);
+  for (const std::string& remark : remarks) log.line("note: {}", remark);
+  if (!image) return;
+  ResultFolder folder(output);
+  const std::string name = std::filesystem::path(file).stem().string() + ".check.png";
+  folder.write(name, [&](const std::string& path) { write_png(*image, path); });
+  folder.commit();
+  log.line("picture: {}/{}", output, name);
+}
+
 }  // namespace
 
-int check_problem(const std::string& file, const std::vector<std::string>& overrides) {
-  const Problem problem = read_problem(file, overrides);
+int check_problem(const std::string& file, const CheckOptions& options) {
+  if (options.picture) require_writable(options.output);
+  const Problem problem = read_problem(file, options.overrides);
   const ScalarProblem scalar(problem);
   const Grid grid = scalar.grid();
   const DomainRule rule = scalar.rule(grid);
@@ -44,6 +63,7 @@ int check_problem(const std::string& file, const std::vector<std::string>& overr
   const TensorProductSpace space(grid, problem.discretization.degree, cells_in_region(rule));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
            rule.report().cut_cells, space.size());
+  if (options.picture) write_picture(file, options.output, scalar, rule, log);
   return 0;
 }
 

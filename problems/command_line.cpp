@@ -22,10 +22,13 @@ void add_run_options(CLI::App& app, CommandLine& line) {
       ->type_name("PATH=VALUE");
 }
 
-void add_solve_options(CLI::App& app, CommandLine& line) {
+void add_output_option(CLI::App& app, CommandLine& line) {
   app.add_option("--output", line.output,
                  "Folder of the results (of several files: a folder in it for each)")
       ->type_name("DIR");
+}
+
+void add_solve_options(CLI::App& app, CommandLine& line) {
   app.add_option("--threads", line.threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
@@ -75,9 +78,13 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
       "is\nwrong; 3 the computation failed.");
   app.allow_extras();
   add_run_options(app, line);
+  add_output_option(app, line);
   add_solve_options(app, line);
   CLI::App* check = app.add_subcommand("check", "Validate problem files without solving them");
   add_run_options(*check, line);
+  add_output_option(*check, line);
+  check->add_flag("--picture", line.picture,
+                  "Draw the domain, the pieces of its boundary and the grid");
   CLI::App* explain = app.add_subcommand("explain", "Explain a key of problem files");
   explain->add_option("KEY", line.key, "A path or its end, as conditions.flux or radius")
       ->required();

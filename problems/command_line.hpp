@@ -10,7 +10,7 @@ namespace rfm {
 struct CommandLine {
   enum class Command {
     solve,    ///< solve `files`
-    check,    ///< validate `files`, no solve
+    check,    ///< validate `files` and, with `picture`, draw them; no solve
     explain,  ///< explain `key`
     schema,   ///< print the JSON Schema
     print,    ///< nothing to do but to print `text`: help, version, or what is wrong

@@ -53,15 +53,21 @@ std::string result_folder(const rfm::CommandLine& command, const std::string& fi
   return command.files.size() == 1 ? *command.output : *command.output + "/" + name;
 }
 
-int solve_all(const rfm::CommandLine& command) {
-  rfm::clean_up_on_interrupt();
+// Says so if two files would write to one folder.
+bool have_folders_of_their_own(const rfm::CommandLine& command) {
   std::set<std::string> folders;
   for (const std::string& file : command.files)
     if (!folders.insert(result_folder(command, file)).second) {
       std::fprintf(stderr, "rfm-solve: two files would write to %s\n",
                    result_folder(command, file).c_str());
-      return wrong_input;
+      return false;
     }
+  return true;
+}
+
+int solve_all(const rfm::CommandLine& command) {
+  rfm::clean_up_on_interrupt();
+  if (!have_folders_of_their_own(command)) return wrong_input;
   int status = solved;
   for (const std::string& file : command.files) {
     rfm::RunOptions options;
@@ -78,9 +84,14 @@ int solve_all(const rfm::CommandLine& command) {
 }
 
 int check_all(const rfm::CommandLine& command) {
+  rfm::clean_up_on_interrupt();
+  if (command.picture && !have_folders_of_their_own(command)) return wrong_input;
   int status = solved;
   for (const std::string& file : command.files)
-    status = std::max(status, guarded([&] { return rfm::check_problem(file, command.overrides); }));
+    status = std::max(status, guarded([&] {
+                        return rfm::check_problem(file, {command.overrides, command.picture,
+                                                         result_folder(command, file)});
+                      }));
   return status;
 }
 

@@ -17,6 +17,8 @@ struct PictureRequest {
   ColourBarStyle bar;
   /// Pixels for the numbers of axes, at the left and below, and for what else stands at the right.
   double left_margin = 0, bottom_margin = 0, right_margin = 0;
+  /// Pixels that what stands at the right needs in height.
+  double least_height = 0;
 };
 
 /// Where the parts of a picture go: title on top, what is shown below it at the left, the colour

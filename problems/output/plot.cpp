@@ -23,11 +23,35 @@ void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, double
       for (const Place2& place : places)
         draw_marker(canvas, place, 2.2 * curve.line_width * scale, curve.colour);
   }
-  if (curve.label.empty() || curve.parts.empty() || curve.parts.back().empty()) return;
-  const PlotPoint& last = curve.parts.back().back();
-  const Place2 at = axes.place(last.x, last.y);
-  canvas.text(curve.label, {at.x + 0.8 * axes.font_size, at.y},
-              {.size = axes.font_size, .colour = curve.colour, .halo = 2});
+}
+
+void draw_labels(Canvas& canvas, const Axes& axes, const std::vector<PlotCurve>& curves,
+                 bool is_outside) {
+  struct Label {
+    const PlotCurve* curve;
+    Place2 at;
+  };
+  std::vector<Label> labels;
+  for (const PlotCurve& curve : curves) {
+    if (curve.label.empty() || curve.parts.empty() || curve.parts.back().empty()) continue;
+    const PlotPoint& last = curve.parts.back().back();
+    Place2 at = axes.place(last.x, last.y);
+    if (is_outside) at.x = axes.frame.right();
+    at.x += (curve.label_side == Align::before ? -0.8 : 0.8) * axes.font_size;
+    at.y += curve.label_below * axes.font_size;
+    labels.push_back({&curve, at});
+  }
+  if (is_outside) {  // one below the other
+    std::ranges::sort(labels, {}, [](const Label& label) { return label.at.y; });
+    for (std::size_t i = 1; i < labels.size(); ++i)
+      labels[i].at.y = std::max(labels[i].at.y, labels[i - 1].at.y + 1.3 * axes.font_size);
+  }
+  for (const Label& label : labels)
+    canvas.text(label.curve->label, label.at,
+                {.size = axes.font_size,
+                 .colour = label.curve->colour,
+                 .horizontal = label.curve->label_side,
+                 .halo = 2});
 }
 
 void draw_triangle(Canvas& canvas, const Axes& axes, const PlotTriangle& triangle) {
@@ -73,6 +97,7 @@ Image draw_plot(const Plot& plot) {
   for (const PlotCurve& curve : plot.curves) draw_curve(canvas, axes, curve, font / 16);
   clear_around(canvas, layout.shown);
   axes.draw(canvas);
+  draw_labels(canvas, axes, plot.curves, plot.right_margin > 0);
   draw_frame(canvas, layout, request);
   return canvas.image();
 }
@@ -87,7 +112,11 @@ Colour distinct_colour(int number) {
                                                      {0.25, 0.62, 0.85},
                                                      {0.45, 0.25, 0.60},
                                                      {0.55, 0.30, 0.15}}};
-  return colours[static_cast<std::size_t>(number) % colours.size()];
+  if (number < static_cast<int>(colours.size())) return colours[static_cast<std::size_t>(number)];
+  // Hues a golden angle apart never come close to each other soon; lightness alternates.
+  const double hue = 2.399963 * number, radius = number % 2 == 0 ? 0.42 : 0.3;
+  const auto part = [&](double shift) { return radius * (1 + std::cos(hue + shift)); };
+  return {part(0), part(2.0943951), part(4.1887902)};
 }
 
 }  // namespace rfm

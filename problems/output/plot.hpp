@@ -18,8 +18,10 @@ struct PlotCurve {
   Colour colour = black;
   double line_width = 2;
   bool has_markers = false;
-  /// Written beside the last point, if any.
+  /// Written beside the last point, if any; with a right margin, outside of the frame.
   std::string label;
+  Align label_side = Align::after;
+  double label_below = 0;  ///< lower by so many heights of the font
 };
 
 /// A straight piece in a plot with a text, as the slope of a curve.

@@ -40,6 +40,13 @@ std::vector<std::string> labels_of(const std::vector<double>& values, double ste
   return labels;
 }
 
+// 0.001, 5, 200000, 1e6, 2e-7.
+std::string decade_label(double value) {
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  if (exponent >= -3 && exponent < 6) return fmt::format("{:g}", value);
+  return fmt::format("{:.0f}e{}", value / std::pow(10.0, exponent), exponent);
+}
+
 void check_range(double low, double high) {
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
     throw InvalidArgument("ticks need a range low < high of finite numbers");
@@ -78,7 +85,7 @@ Ticks decade_ticks(double low, double high) {
   ticks.step = 10;
   ticks.values = collect({1});
   if (ticks.values.size() < 2) ticks.values = collect({1, 2, 5});
-  for (const double value : ticks.values) ticks.labels.push_back(fmt::format("{:g}", value));
+  for (const double value : ticks.values) ticks.labels.push_back(decade_label(value));
   return ticks;
 }
 

@@ -65,6 +65,13 @@ Box with_margin(const Box& bounds) {
   return box;
 }
 
+void show_window(Axis& x, Axis& y, const PixelWindow& window) {
+  x.low = window.left;
+  x.high = window.right();
+  y.low = window.bottom();
+  y.high = window.top;
+}
+
 Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Picture& picture,
                  std::vector<std::string>& remarks) {
   const Box box = with_margin(problem.bounds());
@@ -106,9 +113,7 @@ Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Pi
   Canvas canvas(layout.width, layout.height);
   paint_field(canvas, static_cast<int>(layout.shown.left), static_cast<int>(layout.shown.top),
               field, style);
-  // The pixels are square: the window shows a little more than was asked for along one axis.
-  std::tie(x.low, x.high) = std::pair(window.left, window.right());
-  std::tie(y.low, y.high) = std::pair(window.bottom(), window.top);
+  show_window(x, y, window);
   Axes{layout.shown, x, y, font}.draw(canvas);
   draw_frame(canvas, layout, request);
   return canvas.image();

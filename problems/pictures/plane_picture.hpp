@@ -1,5 +1,7 @@
 #pragma once
 
+#include "problems/output/axes.hpp"
+#include "problems/output/pixel_window.hpp"
 #include "problems/pictures/shown_field.hpp"
 
 namespace rfm {
@@ -9,7 +11,11 @@ namespace rfm {
 Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Picture& picture,
                  std::vector<std::string>& remarks);
 
-/// The window that shows a domain with a margin around it, as high as its width asks.
+/// A box with a margin around it, so that lines on its sides are seen as a whole.
 Box with_margin(const Box& bounds);
+
+/// Sets the ranges of axes to those of a window: its pixels are square, so that it shows a little
+/// more along one axis than the box that it was made for.
+void show_window(Axis& x, Axis& y, const PixelWindow& window);
 
 }  // namespace rfm

@@ -21,6 +21,11 @@ ValueRange extended(const ValueRange& range) {
 
 }  // namespace
 
+std::string shown_title(const Problem& problem) {
+  return problem.title.empty() ? std::filesystem::path(problem.file).stem().string()
+                               : problem.title;
+}
+
 ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
                        const Picture& picture) {
   ExpressionScope scope = problem.scope;
@@ -28,8 +33,7 @@ ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
   ShownField shown;
   shown.components = evaluate(Expression(picture.field), scope).components;
   shown.name = shown.is_vector() ? "|" + picture.field + "|" : picture.field;
-  shown.title =
-      problem.title.empty() ? std::filesystem::path(problem.file).stem().string() : problem.title;
+  shown.title = shown_title(problem);
   return shown;
 }
 

@@ -13,6 +13,9 @@ struct ShownField {
   bool is_vector() const { return components.size() > 1; }
 };
 
+/// The title of a problem; without one, the name of its file.
+std::string shown_title(const Problem& problem);
+
 /// Gives the names in `picture.field` their meaning. Throws `ProblemFileErrors` if there is none.
 ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
                        const Picture& picture);

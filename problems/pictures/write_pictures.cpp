@@ -1,11 +1,13 @@
 #include "problems/pictures/write_pictures.hpp"
 
+#include "problems/pictures/convergence_picture.hpp"
+#include "problems/pictures/shown_field.hpp"
 #include "problems/pictures/solution_picture.hpp"
 
 namespace rfm {
 
 void write_pictures(ResultFolder& folder, const std::string& name, const ScalarProblem& problem,
-                    const ScalarSolution& solution, const std::vector<ConvergenceRow>&,
+                    const ScalarSolution& solution, const std::vector<ConvergenceRow>& convergence,
                     RunLog& log) {
   const auto add = [&](const std::string& file, const Image& image) {
     folder.write(file, [&](const std::string& path) { write_png(image, path); });
@@ -14,6 +16,9 @@ void write_pictures(ResultFolder& folder, const std::string& name, const ScalarP
   const Picture picture = problem.problem().outputs.picture.value_or(Picture{});
   if (const auto image = draw_solution(problem, solution, picture, remarks))
     add(name + ".png", *image);
+  if (const auto image =
+          draw_convergence(convergence, shown_title(problem.problem()), picture.width))
+    add(name + ".convergence.png", *image);
   for (const std::string& remark : remarks) log.line("note: {}", remark);
 }
 

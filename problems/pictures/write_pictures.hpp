@@ -9,7 +9,8 @@
 
 namespace rfm {
 
-/// Adds NAME.png, the picture that `outputs.picture` asks for (or of u), to a result.
+/// Adds NAME.png, the picture that `outputs.picture` asks for (or of u), to a result, and after a
+/// convergence study NAME.convergence.png.
 void write_pictures(ResultFolder& folder, const std::string& name, const ScalarProblem& problem,
                     const ScalarSolution& solution, const std::vector<ConvergenceRow>& convergence,
                     RunLog& log);

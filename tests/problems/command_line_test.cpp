@@ -29,8 +29,11 @@ TEST(CommandLine, TakesOptionsInAnyOrder) {
   EXPECT_FALSE(line.verify);
 }
 TEST(CommandLine, KnowsItsCommands) {
-  const CommandLine check = parse_command_line({"check", "f.yaml", "--set", "a=1"});
+  const CommandLine check =
+      parse_command_line({"check", "f.yaml", "--set", "a=1", "--picture", "--output", "out"});
   EXPECT_EQ(check.command, Command::check);
+  EXPECT_TRUE(check.picture);
+  EXPECT_EQ(check.output, "out");
   EXPECT_THAT(check.files, ElementsAre("f.yaml"));
   EXPECT_THAT(check.overrides, ElementsAre("a=1"));
   EXPECT_EQ(parse_command_line({"explain", "conditions.flux"}).key, "conditions.flux");

@@ -81,7 +81,7 @@ TEST(Ticks, RefuseAnEmptyRange) {
 TEST(Ticks, DecadesArePowersOfTenAndFinerWhereThereAreTooFew) {
   EXPECT_THAT(decade_ticks(3e-4, 2).labels, ElementsAre("0.001", "0.01", "0.1", "1"));
   EXPECT_THAT(decade_ticks(15, 70).labels, ElementsAre("20", "50"));
-  EXPECT_THAT(decade_ticks(1e-7, 1e-5).labels, ElementsAre("1e-07", "1e-06", "1e-05"));
+  EXPECT_THAT(decade_ticks(1e-7, 1e-5).labels, ElementsAre("1e-7", "1e-6", "1e-5"));
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "problems/output/image.hpp"
+#include "problems/scalar_problem.hpp"
+
+namespace rfm {
+
+/// Draws what `check` reports. In 2D: the domain, each piece of its boundary in a colour with its
+/// name, the grid with cells inside and cut cells told apart, level lines of the region's function
+/// ω (R₀-functions over its primitives); a legend says which condition each piece has. In 1D: ω
+/// over x with the grid and the named ends. Needs no display. `remarks` says why there is no
+/// picture, if there is none.
+std::optional<Image> draw_check(const ScalarProblem& problem, const DomainRule& rule, int width,
+                                std::vector<std::string>& remarks);
+
+}  // namespace rfm

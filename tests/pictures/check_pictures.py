@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Runs rfm-solve --picture and check --picture, and looks at what they drew.
+
+    check_pictures.py RFM_SOLVE
+"""
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from png import Picture
+
+RING = """
+title: Ring θ
+dimension: 2
+geometry:
+  shapes:
+    outer: {circle: {center: [3, 1], radius: 1}}
+    inner: {circle: {center: [3, 1], radius: 0.5}}
+  domain: outer - inner
+physics: {type: poisson}
+conditions: [{at: inner, value: 1}, {at: outer, value: 2}]
+discretization: {basis: {bspline: 2, cells: 12}}
+"""
+BAR = """
+dimension: 1
+geometry: {shapes: {bar: {box: {min: [0], max: [2]}}}, domain: bar}
+physics: {type: poisson, source: 1}
+conditions: [{at: bar.left, value: 0}, {at: bar.right, flux: 0}]
+"""
+EXACT = """
+verify:
+  exact: {u: "1 + log(2*hypot(x - 3, y - 1)) / log(2)"}
+"""
+
+
+class Runs:
+    def __init__(self, program, folder):
+        self.program, self.folder, self.failures = program, Path(folder), []
+        self.number = 0
+
+    def run(self, text, *arguments, check=False, width=None):
+        """Solves (or checks) a file; the names of what was written, and its folder."""
+        self.number += 1
+        folder = self.folder / str(self.number)
+        folder.mkdir()
+        (folder / "case.yaml").write_text(text, encoding="utf-8")
+        command = [self.program] + (["check"] if check else [])
+        command += [str(folder / "case.yaml"), "--output", str(folder / "out"), *arguments]
+        if width:
+            command += ["--set", f"outputs.picture.width={width}"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+        if done.returncode != 0:
+            raise AssertionError(f"{' '.join(command)}: {done.returncode}\n{done.stderr}")
+        out = folder / "out"
+        return sorted(p.name for p in out.iterdir()) if out.exists() else [], out, done.stdout
+
+
+def ring_area(picture):
+    """The coloured pixels left of the colour bar: width, height and number."""
+    columns = [sum(picture.is_coloured(x, y) for y in range(picture.height))
+               for x in range(picture.width)]
+    first = next(x for x in range(picture.width) if columns[x])
+    end = next(x for x in range(first, picture.width) if not columns[x])
+    rows = [y for y in range(picture.height)
+            if any(picture.is_coloured(x, y) for x in range(first, end))]
+    return end - first, rows[-1] - rows[0] + 1, sum(columns[first:end])
+
+
+def check_ring(runs):
+    names, out, _ = runs.run(RING, "--picture", "--set", "outputs.picture.contours=0")
+    assert "case.png" in names, names
+    assert not [n for n in names if "convergence" in n or n.startswith(".")], names
+    picture = Picture(out / "case.png")
+    assert picture.width == 1000, picture.width
+    width, height, area = ring_area(picture)
+    assert abs(width - height) <= 2, f"the aspect is not kept: {width} x {height}"
+    assert width > 600, f"the ring is only {width} pixels wide"
+    # The black lines on both circles are 2 pixels wide and hide 1 on each side of the ring.
+    expected = math.pi / 4 * (width ** 2 - (width / 2) ** 2)
+    assert abs(area / expected - 1) < 0.02, f"{area} pixels are coloured, not {expected:.0f}"
+    assert picture.pixel(2, 2) == (255, 255, 255)
+
+
+def check_options(runs):
+    names, _, _ = runs.run(RING)
+    assert not [n for n in names if n.endswith(".png")], "a picture that nobody asked for"
+    file = RING + "outputs: {picture: {field: flux, width: 300, range: [0, 2]}}\n"
+    names, out, _ = runs.run(file)
+    assert Picture(out / "case.png").width == 300
+    names, out, _ = runs.run(RING, "--picture", "--set", "outputs.picture.colours=diverging",
+                             "--set", "outputs.picture.field=u-1.5", width=400)
+    picture = Picture(out / "case.png")
+    reds = blues = 0
+    for y in range(0, picture.height, 3):
+        for x in range(0, picture.width, 3):
+            red, _, blue = picture.pixel(x, y)
+            reds += red > blue + 40
+            blues += blue > red + 40
+    assert reds > 500 and blues > 500, (reds, blues)
+
+
+def check_line(runs):
+    names, out, _ = runs.run(BAR, "--picture", width=500)
+    picture = Picture(out / "case.png")
+    assert picture.width == 500 and "case.png" in names
+    # u = 2x - x²/2 rises from the lower left to the upper right.
+    curve = {}
+    for x in range(picture.width):
+        ys = [y for y in range(picture.height) if picture.is_coloured(x, y)]
+        if ys:
+            curve[x] = sum(ys) / len(ys)
+    left, right = min(curve), max(curve)
+    share = (curve[left] - curve[(left + right) // 2]) / (curve[left] - curve[right])
+    assert abs(share - 0.75) < 0.01, f"u(1) / u(2) is drawn as {share}, not 3/4"
+
+
+def check_convergence(runs):
+    names, out, _ = runs.run(RING + EXACT, "--converge", "3", "--picture", width=400)
+    assert "case.convergence.png" in names and "case.png" in names, names
+    assert Picture(out / "case.convergence.png").width == 400
+    summary = json.loads((out / "summary.json").read_text())
+    assert len(summary["convergence"]) == 3
+    names, out, _ = runs.run(RING, "--converge", "3", "--picture", width=400)  # the change of u
+    assert "case.convergence.png" in names, names
+    names, _, _ = runs.run(RING, "--converge", "2", "--picture", width=400)  # one change is no curve
+    assert "case.convergence.png" not in names, names
+
+
+def check_check(runs):
+    names, out, text = runs.run(RING, "--picture", check=True, width=400)
+    assert names == ["case.check.png"], names
+    assert f"picture: {out}/case.check.png" in text, text
+    picture = Picture(out / "case.check.png")
+    assert picture.width == 400
+    colours = {picture.pixel(x, y) for y in range(picture.height) for x in range(picture.width)}
+    for wanted in ((0, 115, 179), (214, 94, 0)):  # the two pieces
+        assert wanted in colours, f"no pixel has the colour {wanted}"
+    names, out, _ = runs.run(BAR, "--picture", check=True, width=400)
+    assert names == ["case.check.png"] and Picture(out / "case.check.png").width == 400
+    names, _, _ = runs.run(RING, check=True)
+    assert names == [], "check without --picture wrote files"
+
+
+def main():
+    status = 0
+    with tempfile.TemporaryDirectory() as folder:
+        runs = Runs(sys.argv[1], folder)
+        for check in (check_ring, check_options, check_line, check_convergence, check_check):
+            try:
+                check(runs)
+            except AssertionError as failure:
+                print(f"{check.__name__}: {failure}")
+                status = 1
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
