@@ -525,23 +525,4 @@ Jet<T, N, K> hypot(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   return sqrt(square(a) + square(b));
 }
 
-/// The R₀-conjunction a + b − √(a² + b²): positive exactly where both are. Its value is taken as
-/// 2ab / (a + b + √(a² + b²)) for a + b > 0, which does not cancel near the boundary.
-template <class T, int N, int K>
-Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  const Jet<T, N, K> root = hypot(a, b);
-  Jet<T, N, K> result = a + b - root;
-  const T sum = a.c[0] + b.c[0];
-  const auto positive = certain(less(T(0.0), sum));
-  const T stable = T(2.0) * a.c[0] * b.c[0] / (sum + root.c[0]);
-  result.c[0] = select(positive, stable, result.c[0]);
-  return result;
-}
-
-/// The R₀-disjunction a + b + √(a² + b²) = −(−a ∧ −b).
-template <class T, int N, int K>
-Jet<T, N, K> r0_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return -r0_conjunction(-a, -b);
-}
-
 }  // namespace rfm

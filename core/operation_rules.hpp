@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/jet.hpp"
+#include "core/jet_r_functions.hpp"
 #include "core/operations.hpp"
 #include "core/taylor_bound.hpp"
 

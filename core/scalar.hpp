@@ -24,15 +24,18 @@ inline bool equal(double a, double b) { return a == b; }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 inline double square(double a) { return a * a; }
 
-inline BatchMask less(const Batch& a, const Batch& b) { return a < b; }
-inline BatchMask less_equal(const Batch& a, const Batch& b) { return a <= b; }
-inline BatchMask equal(const Batch& a, const Batch& b) { return a == b; }
-inline Batch select(const BatchMask& condition, const Batch& yes, const Batch& no) {
+[[gnu::always_inline]] inline BatchMask less(const Batch& a, const Batch& b) { return a < b; }
+[[gnu::always_inline]] inline BatchMask less_equal(const Batch& a, const Batch& b) {
+  return a <= b;
+}
+[[gnu::always_inline]] inline BatchMask equal(const Batch& a, const Batch& b) { return a == b; }
+[[gnu::always_inline]] inline Batch select(const BatchMask& condition, const Batch& yes,
+                                           const Batch& no) {
   Batch chosen = no;
   std::experimental::where(condition, chosen) = yes;
   return chosen;
 }
-inline Batch square(const Batch& a) { return a * a; }
+[[gnu::always_inline]] inline Batch square(const Batch& a) { return a * a; }
 
 /// aᵉ for a ≥ 0 as a plain number.
 inline double power(double a, double exponent) { return std::pow(a, exponent); }

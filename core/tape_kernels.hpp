@@ -41,6 +41,29 @@ struct Kernels {
     }
   }
 
+  // Reads and writes each coefficient where it is needed: twice as fast as whole jets.
+  template <bool conjunction>
+  static void r0_function(const Step& step, double* memory, int count) {
+    const auto& [left, right, unused] = step.arguments;
+    for (int lane = 0; lane < count; lane += width) {
+      const auto reader = [&](const Register& from) {
+        return [value = memory + from.value.offset() + lane * from.value.stride(),
+                gradient = memory + from.gradient.offset() + lane * from.gradient.stride(),
+                rest = memory + from.rest.offset() + lane * from.rest.stride()](int i) {
+          const double* const place = i == 0   ? value
+                                      : i <= N ? gradient + (i - 1) * block
+                                               : rest + (i - 1 - N) * block;
+          return Batch(place, std::experimental::element_aligned);
+        };
+      };
+      double* const to = memory + step.result + lane;
+      rfm::r0_function<conjunction, Batch, N, K>(
+          reader(left), reader(right), [&](int i, const Batch& c) {
+            c.copy_to(to + i * block, std::experimental::element_aligned);
+          });
+    }
+  }
+
   template <class Rule>
   static void apply_to_one(const Step& step, double* memory, int count, const Rule& rule) {
     for (int lane = 0; lane < count; lane += width)
@@ -80,6 +103,10 @@ struct Kernels {
   }
 
   static Kernel find(Operation operation) {
+    if constexpr (K <= 2) {
+      if (operation == Operation::r0_conjunction) return r0_function<true>;
+      if (operation == Operation::r0_disjunction) return r0_function<false>;
+    }
     switch (operation) {
       case Operation::integer_power:
         return integer_power;

@@ -1,4 +1,5 @@
 #include "core/jet.hpp"
+#include "core/jet_r_functions.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "core/jet.hpp"
+
+namespace rfm {
+
+/// Value and derivatives to second order of the R₀-functions a + b ∓ s, s = √(a² + b²) (upper sign:
+/// conjunction), from those of a and b: with p = 1 ∓ a/s, q = 1 ∓ b/s and w = b ∇a − a ∇b
+///
+///     ∇ = p ∇a + q ∇b,      H = p Hₐ + q H_b ∓ w wᵀ / s³ ,
+///
+/// for the Hessian of √(a² + b²) is of rank one beside those of its arguments. Nothing cancels: the
+/// value is v = ±2ab / (s ± (a + b)) where a + b and ∓s have opposite signs, and p = (b − v)/∓s,
+/// q = (a − v)/∓s then have absolute errors of ulps of their smaller argument over s. So where a =
+/// 0 and the other argument is inactive, v = a and ∇ = ∇a up to rounding of a itself, however deep
+/// such functions are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp).
+template <class T>
+struct R0Weights {
+  T value, p, q, curvature;  ///< curvature is 1/s³, or 0 where s = 0
+
+  [[gnu::always_inline]] R0Weights(const T& a, const T& b, bool conjunction) {
+    using std::sqrt;
+    const T root = sqrt(a * a + b * b), sum = a + b;
+    const T s = conjunction ? root : -root;
+    const T product = T(2.0) * a * b;
+    const auto stable = less(T(0.0), conjunction ? sum : -sum);
+    value = select(stable, product / (sum + s), sum - s);
+    const auto corner = equal(root, T(0.0));
+    const T inverse = T(1.0) / s;
+    p = select(corner, T(1.0), (b - value) * inverse);
+    q = select(corner, T(1.0), (a - value) * inverse);
+    curvature = select(corner, T(0.0), inverse * inverse * inverse);
+  }
+};
+
+/// One of the two functions for jets of order K ≤ 2: `a(i)` and `b(i)` are the coefficients of the
+/// arguments, `result(i, c)` receives those of the result in order. Coefficient by coefficient in
+/// the code, not in loops over arrays: those GCC would keep in memory.
+template <bool conjunction, class T, int N, int K>
+[[gnu::always_inline]] inline void r0_function(const auto& a, const auto& b, const auto& result) {
+  static_assert(0 <= K && K <= 2);
+  const T a0 = a(0), b0 = b(0);
+  const R0Weights<T> at(a0, b0, conjunction);
+  result(0, at.value);
+  if constexpr (K >= 1) [&]<std::size_t... axis>(std::index_sequence<axis...>) {
+      const std::array<T, N> w{(b0 * a(1 + axis) - a0 * b(1 + axis))...};
+      (result(1 + axis, T(at.p * a(1 + axis) + at.q * b(1 + axis))), ...);
+      if constexpr (K == 2) {
+        const std::array<T, N> bent{(at.curvature * w[axis])...};
+        const auto second = [&]<std::size_t i, std::size_t j>() {
+          constexpr int k = jet_index(N, unit_index(i) + unit_index(j));
+          const T bend = T(i == j ? 0.5 : 1.0) * (bent[i] * w[j]);
+          result(k, T(at.p * a(k) + at.q * b(k) - bend));
+        };
+        const auto row = [&]<std::size_t i>() {
+          const auto entry = [&]<std::size_t j>() {
+            if constexpr (i <= j) second.template operator()<i, j>();
+          };
+          (entry.template operator()<axis>(), ...);
+        };
+        (row.template operator()<axis>(), ...);
+      }
+    }
+  (std::make_index_sequence<N>{});
+}
+
+/// The same for bounds and for jets of any order: composed, with the value in the stable form.
+template <bool conjunction, class Number>
+Number r0_composed(const Number& a, const Number& b) {
+  if constexpr (!conjunction) {
+    return -r0_composed<true>(-a, -b);
+  } else {
+    const Number root = hypot(a, b);
+    Number result = a + b - root;
+    const auto sum = a.c[0] + b.c[0], product = a.c[0] * b.c[0];
+    const auto stable = (product + product) / (sum + root.c[0]);
+    result.c[0] = select(certain(less(decltype(sum)(0.0), sum)), stable, result.c[0]);
+    return result;
+  }
+}
+
+template <bool conjunction, class T, int N, int K>
+Jet<T, N, K> r0_function(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  constexpr bool is_number = std::is_floating_point_v<T> || std::is_same_v<T, Batch>;
+  if constexpr (!is_number || N < 1 || K < 0) {
+    return r0_composed<conjunction>(a, b);
+  } else {
+    Jet<T, N, K> result;
+    if constexpr (K > 2) result = r0_composed<conjunction>(a, b);
+    r0_function<conjunction, T, N, (K < 2 ? K : 2)>([&](int i) { return a.c[i]; },
+                                                    [&](int i) { return b.c[i]; },
+                                                    [&](int i, const T& c) { result.c[i] = c; });
+    return result;
+  }
+}
+
+/// The R₀-conjunction a + b − √(a² + b²): positive exactly where both are.
+template <class T, int N, int K>
+Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return r0_function<true>(a, b);
+}
+
+/// The R₀-disjunction a + b + √(a² + b²) = −(−a ∧ −b).
+template <class T, int N, int K>
+Jet<T, N, K> r0_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return r0_function<false>(a, b);
+}
+
+}  // namespace rfm
