@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "solvers/energy.hpp"
 #include "tests/solvers/sample_problems.hpp"
 
 namespace rfm {
@@ -59,23 +60,10 @@ struct CoupledProblem {
                      {part, Place::boundary, {1}, y - 0.4}};
   }
 
-  // ∫ W(d) for components u as fields: the definition of the energy, without assembly.
   double energy(const std::vector<Field>& u) const {
     double sum = 0;
-    for (const Contribution& contribution : contributions) {
-      const QuadraticEnergy& energy = contribution.energy;
-      const auto d = [&](int slot) {
-        return Coefficient(
-            partial(u[energy.slots()[slot].component], energy.slots()[slot].derivative));
-      };
-      Coefficient density;
-      for (const auto& [row, column, coefficient] : energy.stiffness())
-        density = density + (row == column ? 0.5 : 1.0) * coefficient * d(row) * d(column);
-      for (const auto& [slot, coefficient] : energy.load())
-        density = density - coefficient * d(slot);
-      if (contribution.where) density = density * Coefficient(step(*contribution.where));
-      sum += integrate(density, rule, {contribution.place, contribution.numbers});
-    }
+    for (const Contribution& contribution : contributions)
+      sum += rfm::energy(contribution, u, rule);
     return sum;
   }
 };
