@@ -10,6 +10,26 @@ constexpr Colour frame_colour{0.35, 0.35, 0.35};
 constexpr Colour grid_colour{0.88, 0.88, 0.88};
 constexpr double tick_length = 0.35, label_distance = 0.6, title_space = 1.5;  // of the font size
 
+// Only every n-th number along x is written, so that they do not run into each other.
+std::size_t label_stride(const Axes& axes) {
+  const Ticks& ticks = axes.x.ticks;
+  std::vector<double> half;
+  for (const std::string& label : ticks.labels)
+    half.push_back(0.5 * text_extent(label, axes.font_size).width);
+  std::size_t stride = 1;
+  for (std::size_t i = 0; i + stride < half.size();) {
+    const double distance = axes.place(ticks.values[i + stride], axes.y.low).x -
+                            axes.place(ticks.values[i], axes.y.low).x;
+    if (distance < half[i] + half[i + stride] + 0.4 * axes.font_size) {
+      ++stride;
+      i = 0;
+    } else {
+      i += stride;
+    }
+  }
+  return stride;
+}
+
 }  // namespace
 
 double Axis::share(double value) const {
@@ -41,16 +61,13 @@ void Axes::draw(Canvas& canvas) const {
                {frame.left, frame.top}},
               1, frame_colour);
   const double tick = tick_length * font_size, label = label_distance * font_size;
-  double last_end = -1e30;
+  const std::size_t stride = label_stride(*this);
   for (std::size_t i = 0; i < x.ticks.values.size(); ++i) {
     const Place2 at = place(x.ticks.values[i], y.low);
     canvas.line({at, {at.x, at.y + tick}}, 1, frame_colour);
-    // Numbers that would run into each other are left out.
-    const double half = 0.5 * text_extent(x.ticks.labels[i], font_size).width;
-    if (at.x - half < last_end + 0.4 * font_size) continue;
-    last_end = at.x + half;
-    canvas.text(x.ticks.labels[i], {at.x, at.y + label},
-                {.size = font_size, .horizontal = Align::centre, .vertical = Align::after});
+    if (i % stride == 0)
+      canvas.text(x.ticks.labels[i], {at.x, at.y + label},
+                  {.size = font_size, .horizontal = Align::centre, .vertical = Align::after});
   }
   for (std::size_t i = 0; i < y.ticks.values.size(); ++i) {
     const Place2 at = place(x.low, y.ticks.values[i]);

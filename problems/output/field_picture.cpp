@@ -8,7 +8,8 @@ namespace {
 
 // How dark the contour line nearest to a value is at a pixel.
 double contour_amount(double value, double slope, const FieldStyle& style) {
-  if (style.level_step <= 0 || !(slope > 1e-4 * style.level_step)) return 0;
+  if (style.level_step <= 0 || !std::isfinite(value) || !(slope > 1e-4 * style.level_step))
+    return 0;
   const double level =
       style.first_level +
       style.level_step * std::round((value - style.first_level) / style.level_step);

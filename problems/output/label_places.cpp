@@ -30,21 +30,24 @@ void LabelPlaces::add_painted_pixel(int x, int y) { ++squares_[square_of(x, y)].
 double LabelPlaces::penalty(int curve, const PixelRectangle& text) const {
   if (text.left < 1 || text.top < 1 || text.right() > width_ - 1 || text.bottom() > height_ - 1)
     return INFINITY;
-  double sum = 0;
-  // Other curves are to keep away by about the height of the text, so that the name is not theirs.
+  double painted = 0, within = 0, nearest = INFINITY;  // the nearest of the other curves
   const double away = text.height;
   for (double y = text.top - away; y < text.bottom() + away; y += side)
     for (double x = text.left - away; x < text.right() + away; x += side) {
       if (x < 0 || y < 0 || x >= width_ || y >= height_) continue;
       const Square& square = squares_[square_of(x, y)];
-      const bool is_within = x >= text.left - side && x < text.right() + side &&
-                             y >= text.top - side && y < text.bottom() + side;
+      const double dx = std::max({text.left - x, x - text.right(), 0.0}),
+                   dy = std::max({text.top - y, y - text.bottom(), 0.0});
+      const double distance = std::hypot(dx, dy);
+      const bool is_within = distance < side;
       if (is_within && (square.is_taken || !square.curves.empty())) return INFINITY;
-      if (is_within) sum += 0.3 * square.painted_pixels / double(side * side);
+      if (is_within) painted += square.painted_pixels / double(side * side);
+      if (is_within) ++within;
       for (const int other : square.curves)
-        if (other != curve) sum += 3;
+        if (other != curve) nearest = std::min(nearest, distance);
     }
-  return sum;
+  // Other curves are to keep away by about the height of the text, so that the name is not theirs.
+  return 6 * painted / std::max(1.0, within) + 40 * std::max(0.0, 1 - nearest / away);
 }
 
 std::optional<Place2> LabelPlaces::place(int curve, const TextExtent& text) {

@@ -28,15 +28,15 @@ PictureLayout picture_layout(const PictureRequest& request) {
   const double tallest = 1.25 * request.width, flattest = 0.25 * request.width;
   const double shown_width = std::min(room, tallest / request.aspect);
   const double shown_height = shown_width * request.aspect;
-  const double frame_height =
-      std::max({shown_height, request.scale ? flattest : shown_height, request.least_height});
+  const double frame_height = std::max(shown_height, request.scale ? flattest : shown_height);
   layout.shown = {std::round(left + 0.5 * (room - shown_width)),
                   std::round(top + 0.5 * (frame_height - shown_height)),
                   std::max(1.0, std::round(shown_width)), std::max(1.0, std::round(shown_height))};
   if (request.scale)
     layout.bar = {std::round(left + 0.5 * (room + shown_width) + gap), std::round(top), bar_width,
                   std::round(frame_height)};
-  layout.height = static_cast<int>(std::ceil(top + frame_height + request.bottom_margin + margin));
+  layout.height = static_cast<int>(std::ceil(
+      top + std::max(frame_height + request.bottom_margin, request.least_height) + margin));
   return layout;
 }
 

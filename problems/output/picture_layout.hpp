@@ -17,7 +17,7 @@ struct PictureRequest {
   ColourBarStyle bar;
   /// Pixels for the numbers of axes, at the left and below, and for what else stands at the right.
   double left_margin = 0, bottom_margin = 0, right_margin = 0;
-  /// Pixels that what stands at the right needs in height.
+  /// Pixels that what stands at the right needs in height, from the upper side of what is shown.
   double least_height = 0;
 };
 

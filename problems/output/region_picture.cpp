@@ -52,7 +52,9 @@ void paint_grid(Canvas& canvas, int left, int top, const RegionPicture& picture)
 void paint_levels(Canvas& canvas, int left, int top, const RegionPicture& picture) {
   if (picture.level_step <= 0 || picture.omega.empty()) return;
   for_each_pixel(picture, [&](int x, int y, std::size_t i) {
-    if (picture.region.distance[i] < 0 || !(picture.slope[i] > 1e-4 * picture.level_step)) return;
+    if (picture.region.distance[i] < 0 || !std::isfinite(picture.omega[i]) ||
+        !(picture.slope[i] > 1e-4 * picture.level_step))
+      return;
     const double level = picture.level_step * std::round(picture.omega[i] / picture.level_step);
     if (level <= 0) return;  // the boundary has its own line
     const double distance = std::abs(picture.omega[i] - level) / picture.slope[i];

@@ -100,7 +100,9 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   request.left_margin = left_margin(y, font);
   request.bottom_margin = bottom_margin(x, font);
   request.right_margin = legend_room + font;
-  request.least_height = 2 * request.bottom_margin + 1.5 * font * (picture.pieces.size() + 3);
+  constexpr int most_rows = 30;  // of the legend, where the domain is flat
+  request.least_height =
+      1.5 * font * (std::min(most_rows, static_cast<int>(picture.pieces.size())) + 3);
   const PictureLayout layout = picture_layout(request);
   picture.window = PixelWindow::around(box, static_cast<int>(layout.shown.width),
                                        static_cast<int>(layout.shown.height));

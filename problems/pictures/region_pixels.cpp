@@ -14,6 +14,12 @@ namespace {
 constexpr int large_tile = 64, small_tile = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+bool has_union(const BooleanExpression& expression) {
+  return std::ranges::any_of(expression.negations_at_leaves().nodes(), [](const auto& node) {
+    return node.kind == BooleanExpression::Kind::disjunction;
+  });
+}
+
 struct Tile {
   int left, top, right, bottom;  // pixels, right and bottom excluded
 };
@@ -31,7 +37,8 @@ class RegionSampler {
         pixels_(pixels),
         signs_(static_cast<std::size_t>(region.primitive_count()), Truth::unknown),
         nodes_(expression_.nodes().size()),
-        distances_(signs_.size()) {}
+        distances_(signs_.size()),
+        has_union_(has_union(expression_)) {}
 
   void sample(const Tile& tile) {
     std::vector<int> all(signs_.size());
@@ -178,7 +185,7 @@ class RegionSampler {
   // Whether the other side of the supposed boundary is inside as well, as where parts of a union
   // touch. The probe lies beyond the boundary by more than the distance may be wrong.
   bool is_seam(const Point& point, const Distance& distance, const std::vector<int>& primitives) {
-    if (distance.value < -0.01) return false;  // a pixel outside is not within a union
+    if (!has_union_ || distance.value < -0.01) return false;  // outside is not within a union
     const double step = -(0.5 + 1.25 * distance.value) * window_.pixel_size;
     const Point beyond{point[0] + step * distance.normal_x, point[1] + step * distance.normal_y, 0};
     for (const int k : primitives)
@@ -202,6 +209,7 @@ class RegionSampler {
   std::vector<Truth> signs_;
   std::vector<Distance> nodes_, distances_;
   std::vector<int> undecided_;
+  bool has_union_;
 };
 
 }  // namespace

@@ -99,6 +99,16 @@ TEST(FieldPicture, AFieldThatIsLevelHasNoContours) {
   EXPECT_LT(difference(canvas.image().pixel(100, 100), scale(0.5)), 0.01);
 }
 
+TEST(FieldPicture, WhatHasNoValueIsGrey) {
+  FieldPicture picture = paraboloid();
+  picture.value[100 * size + 100] = NAN;
+  Canvas canvas(size, size);
+  FieldStyle style{ColourScale(ColourMap::uniform, 0, 1)};
+  style.level_step = 0.25;
+  paint_field(canvas, 0, 0, picture, style);
+  EXPECT_LT(difference(canvas.image().pixel(100, 100), {0.5, 0.5, 0.5}), 0.01);
+}
+
 TEST(FieldPicture, ArrowsPointAlongTheFieldAndStayInside) {
   FieldPicture picture = paraboloid();
   picture.slope.clear();
