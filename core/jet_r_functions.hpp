@@ -13,25 +13,49 @@ namespace rfm {
 ///     ∇ = p ∇a + q ∇b,      H = p Hₐ + q H_b ∓ w wᵀ / s³ ,
 ///
 /// for the Hessian of √(a² + b²) is of rank one beside those of its arguments. Nothing cancels: the
-/// value is v = ±2ab / (s ± (a + b)) where a + b and ∓s have opposite signs, and p = (b − v)/∓s,
-/// q = (a − v)/∓s then have absolute errors of ulps of their smaller argument over s. So where a =
+/// value is v = 2ab / (a + b ± s) where a + b has the sign of ±s, and p = (b − v)/±s,
+/// q = (a − v)/±s then have absolute errors of ulps of their smaller argument over s. So where a =
 /// 0 and the other argument is inactive, v = a and ∇ = ∇a up to rounding of a itself, however deep
 /// such functions are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp).
+/// The functions are homogeneous, so that arguments whose squares would overflow or underflow are
+/// scaled by a power of two.
 template <class T>
 struct R0Weights {
-  T value, p, q, curvature;  ///< curvature is 1/s³, or 0 where s = 0
+  T value, p, q, curvature;  ///< curvature is ±1/s³, or 0 where s = 0
 
   [[gnu::always_inline]] R0Weights(const T& a, const T& b, bool conjunction) {
-    using std::sqrt;
-    const T root = sqrt(a * a + b * b), sum = a + b;
+    using std::abs, std::max;
+    const T size = max(T(abs(a)), T(abs(b)));
+    const auto large = less(T(0x1p480), size), small = less(size, T(0x1p-480));
+    if (any(large) || any(small)) {
+      const T factor = select(large, T(0x1p-600), select(small, T(0x1p500), T(1.0)));
+      compute(a, b, factor * a, factor * b, T(1.0) / factor, conjunction);
+      curvature = factor * (factor * (factor * curvature));
+    } else {
+      compute(a, b, a, b, T(1.0), conjunction);
+    }
+  }
+
+ private:
+  // With a and b = `back` times the scaled x and y.
+  [[gnu::always_inline]] void compute(const T& a, const T& b, const T& x, const T& y, const T& back,
+                                      bool conjunction) {
+    using std::max, std::min, std::sqrt;
+    const T root = sqrt(x * x + y * y), sum = x + y;
     const T s = conjunction ? root : -root;
-    const T product = T(2.0) * a * b;
+    // Where sum and s have one sign, twice the farther argument over sum + s is from 1/2 to 1.
+    const T farther = conjunction ? max(x, y) : min(x, y);
+    const T ratio = (farther + farther) / (sum + s);
     const auto stable = less(T(0.0), conjunction ? sum : -sum);
-    value = select(stable, product / (sum + s), sum - s);
+    const auto with = [&](const T& nearer, const T& otherwise) {
+      return select(stable, nearer * ratio, otherwise);
+    };
+    const T scaled = with(conjunction ? min(x, y) : max(x, y), sum - s);
+    value = with(conjunction ? min(a, b) : max(a, b), scaled * back);
     const auto corner = equal(root, T(0.0));
     const T inverse = T(1.0) / s;
-    p = select(corner, T(1.0), (b - value) * inverse);
-    q = select(corner, T(1.0), (a - value) * inverse);
+    p = select(corner, T(1.0), (y - scaled) * inverse);
+    q = select(corner, T(1.0), (x - scaled) * inverse);
     curvature = select(corner, T(0.0), inverse * inverse * inverse);
   }
 };

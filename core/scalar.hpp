@@ -56,6 +56,9 @@ inline Batch cos(const Batch& a) {
   return Batch([&](auto lane) { return std::cos(a[lane]); });
 }
 
+inline bool any(bool condition) { return condition; }
+inline bool any(const BatchMask& condition) { return std::experimental::any_of(condition); }
+
 /// Whether a is farther from zero than b, so that it is the better divisor.
 inline bool farther_from_zero(double a, double b) { return std::fabs(a) > std::fabs(b); }
 inline BatchMask farther_from_zero(const Batch& a, const Batch& b) {

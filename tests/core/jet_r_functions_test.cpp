@@ -77,7 +77,7 @@ void expect_the_composed_formula() {
         EXPECT_NEAR(found.c[i], static_cast<double>(exact.c[i]), tolerance);
         EXPECT_NEAR(blocks.c[i][0], static_cast<double>(exact.c[i]), tolerance);
         // In long double the composed formula still cancels terms of the size of |∇|²/s itself.
-        const double cancelled = 0x1p-60 * 100 / std::hypot(a.c[0], b.c[0]);
+        const double cancelled = 0x1p-60 * 400 / std::hypot(a.c[0], b.c[0]);
         EXPECT_NEAR(found.c[i], static_cast<double>(formula.c[i]), tolerance + cancelled);
       }
     }
@@ -92,13 +92,12 @@ TEST(R0Jets, AreThoseOfTheComposedFormula) {
 
 TEST(R0Jets, ValuesHaveFullRelativeAccuracy) {
   std::mt19937 generator(3);
-  std::uniform_real_distribution<double> exponent(-140, 140);
+  std::uniform_real_distribution<double> exponent(-300, 300);
   for (int repeat = 0; repeat < 5000; ++repeat) {
     const auto value = [&] {
       return (generator() % 2 == 0 ? 1 : -1) * std::pow(10.0, exponent(generator));
     };
-    const double a = value(), b = repeat % 2 ? value() : a * (generator() % 100 - 50);
-    if (b == 0) continue;
+    const double a = value(), b = repeat % 2 ? value() : a * (generator() % 100 - 49.5);
     const long double root = std::hypot(static_cast<long double>(a), static_cast<long double>(b));
     const long double sum = static_cast<long double>(a) + b;
     const long double both = sum > 0 ? 2.0L * a * b / (sum + root) : sum - root;
