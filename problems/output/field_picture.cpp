@@ -109,6 +109,8 @@ void paint_field(Canvas& canvas, int left, int top, const FieldPicture& picture,
         if (!picture.slope.empty())
           shown = mixed(shown, black,
                         contour_amount(picture.value[pixel], picture.slope[pixel], style));
+        for (const RegionPixels& part : picture.parts)
+          shown = mixed(shown, black, 0.5 * part.on_line(pixel, style.line_width));
         colour = mixed(colour, shown, inside);
       }
       image.set_pixel(left + x, top + y, mixed(colour, black, edge));

@@ -16,6 +16,8 @@ struct FieldPicture {
   std::vector<double> value;
   /// |∇value| times the side of a pixel; empty without contour lines.
   std::vector<double> slope;
+  /// Parts of the region whose boundaries are shown as thin lines: materials.
+  std::vector<RegionPixels> parts;
   /// Of a vector field: its first two components; empty of a scalar.
   std::vector<double> vector_x, vector_y;
 };

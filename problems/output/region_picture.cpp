@@ -63,6 +63,14 @@ void paint_levels(Canvas& canvas, int left, int top, const RegionPicture& pictur
   });
 }
 
+void paint_parts(Canvas& canvas, int left, int top, const RegionPicture& picture) {
+  for (const RegionPixels& part : picture.parts)
+    for_each_pixel(picture, [&](int x, int y, std::size_t i) {
+      canvas.image().blend(left + x, top + y, black,
+                           0.6 * part.on_line(i, 1.5) * picture.region.covered(i));
+    });
+}
+
 void paint_pieces(Canvas& canvas, int left, int top, const RegionPicture& picture, double width) {
   for_each_pixel(picture, [&](int x, int y, std::size_t i) {
     if (picture.piece[i] >= 0)
@@ -107,6 +115,7 @@ void paint_region(Canvas& canvas, int left, int top, const RegionPicture& pictur
   paint_cells(canvas, left, top, picture);
   paint_grid(canvas, left, top, picture);
   paint_levels(canvas, left, top, picture);
+  paint_parts(canvas, left, top, picture);
   paint_pieces(canvas, left, top, picture, style.boundary_width);
   write_names(canvas, left, top, picture, style);
 }

@@ -13,6 +13,8 @@ namespace rfm {
 struct RegionPicture {
   PixelWindow window;
   RegionPixels region;
+  /// Parts of the region whose boundaries are shown as thin lines: materials.
+  std::vector<RegionPixels> parts;
   /// A function of the region whose level lines are drawn, and |∇| times the side of a pixel.
   std::vector<double> omega, slope;
   double level_step = 0;

@@ -115,6 +115,7 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   picture.region = std::move(sampled.region);
   picture.omega = std::move(sampled.value);
   picture.slope = std::move(sampled.slope);
+  picture.parts = sample_materials(problem.problem(), picture.window);
   picture.in_cut_cell = cut_cells(rule, picture.window);
   picture.piece = conditions_at(problem, picture.region, picture.window);
   picture.grid_x = grid_lines(rule.grid(), 0);

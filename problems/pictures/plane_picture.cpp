@@ -65,6 +65,14 @@ Box with_margin(const Box& bounds) {
   return box;
 }
 
+std::vector<RegionPixels> sample_materials(const Problem& problem, const PixelWindow& window) {
+  std::vector<RegionPixels> materials;
+  for (const Material& material : problem.physics.materials)
+    if (material.region)
+      materials.push_back(sample_region(RegionEvaluator(*material.region), window));
+  return materials;
+}
+
 void show_window(Axis& x, Axis& y, const PixelWindow& window) {
   x.low = window.left;
   x.high = window.right();
@@ -98,7 +106,8 @@ Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Pi
                                                  static_cast<int>(layout.shown.height));
   const bool with_contours =
       picture.contours > 0 && !shown.is_vector() && has_slope(shown, remarks);
-  const FieldPicture field = sampled(problem, shown, window, with_contours);
+  FieldPicture field = sampled(problem, shown, window, with_contours);
+  field.parts = sample_materials(problem.problem(), window);
   note_missing_values(field, shown.name, remarks);
   request.scale = make_scale(range_of(field).value_or(ValueRange{0, 1}));
   FieldStyle style{*request.scale};

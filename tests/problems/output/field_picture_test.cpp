@@ -99,6 +99,33 @@ TEST(FieldPicture, AFieldThatIsLevelHasNoContours) {
   EXPECT_LT(difference(canvas.image().pixel(100, 100), scale(0.5)), 0.01);
 }
 
+TEST(FieldPicture, PartsAreOutlinedInsideOnly) {
+  FieldPicture picture = paraboloid();
+  RegionPixels half = picture.region;  // {x ≤ 0}, as a part
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      half.distance[y * size + x] =
+          static_cast<float>(-picture.window.centre(x, y)[0] / picture.window.pixel_size);
+  picture.parts.push_back(half);
+  const ColourScale scale(ColourMap::uniform, 0, 1);
+  Canvas canvas(size, size);
+  paint_field(canvas, 0, 0, picture, {scale});
+  for (int y = 0; y < size; ++y) {
+    const double distance = picture.region.distance[y * size + size / 2];
+    const Colour colour = canvas.image().pixel(size / 2, y);
+    const Colour unlined = scale(picture.value[y * size + size / 2]);
+    if (distance > 3) {
+      EXPECT_LT(lightness(colour), 0.9 * lightness(unlined));
+      EXPECT_LT(difference(canvas.image().pixel(size / 2 + 5, y),
+                           scale(picture.value[y * size + size / 2 + 5])),
+                0.01);
+    }
+    if (distance < -3) {
+      EXPECT_EQ(difference(colour, white), 0);
+    }
+  }
+}
+
 TEST(FieldPicture, WhatHasNoValueIsGrey) {
   FieldPicture picture = paraboloid();
   picture.value[100 * size + 100] = NAN;

@@ -58,6 +58,16 @@ TEST(LabelPlaces, NamesHideNeitherCurvesNorEachOtherAndStandNextToTheirs) {
   }
 }
 
+TEST(LabelPlaces, APlaceIsTakenOnce) {
+  // Two curves through the same pixels would both have the best place.
+  LabelPlaces places(400, 400);
+  for (int y = 100; y < 300; ++y)
+    for (const int curve : {0, 1}) places.add_curve_pixel(curve, 200, y);
+  const auto first = places.place(0, {60, 20}), second = places.place(1, {60, 20});
+  ASSERT_TRUE(first && second);
+  EXPECT_FALSE(overlap({first->x, first->y, 60, 20}, {second->x, second->y, 60, 20}));
+}
+
 TEST(LabelPlaces, ThereIsNoPlaceWhereThereIsNoRoom) {
   LabelPlaces places(60, 20);
   for (int x = 0; x < 60; ++x) places.add_curve_pixel(0, x, 10);
