@@ -27,14 +27,11 @@ const char* kind_name(Condition::Kind kind) {
 
 void write_picture(const std::string& file, const std::string& output, const ScalarProblem& problem,
                    const DomainRule& rule, RunLog& log) {
-  std::vector<std::string> remarks;
   const int width = problem.problem().outputs.picture.value_or(Picture{}).width;
-  const std::optional<Image> image = draw_check(problem, rule, width, remarks);
-  for (const std::string& remark : remarks) log.line("note: {}", remark);
-  if (!image) return;
+  const Image image = draw_check(problem, rule, width);
   ResultFolder folder(output);
   const std::string name = std::filesystem::path(file).stem().string() + ".check.png";
-  folder.write(name, [&](const std::string& path) { write_png(*image, path); });
+  folder.write(name, [&](const std::string& path) { write_png(image, path); });
   folder.commit();
   log.line("picture: {}/{}", output, name);
 }

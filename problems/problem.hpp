@@ -152,6 +152,13 @@ struct Picture {
   /// What the colours span; nothing: from the smallest to the largest value.
   std::optional<std::pair<double, double>> range;
   enum class Colours { uniform, diverging } colours = Colours::uniform;
+  /// In space: the direction towards the viewer (z is up).
+  Point view{1, -1.7, 1.1};
+  /// In space: whether the body is shown cut open beside the whole one.
+  bool with_cut = true;
+  /// The plane of the cut: what `cut_normal` points to is taken away. Nothing: through the middle
+  /// of the domain, across the axis that comes nearest to the view.
+  std::optional<Point> cut_point, cut_normal;
 };
 
 struct Outputs {

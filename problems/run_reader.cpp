@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/nearest_name.hpp"
+#include "problems/picture_view_reader.hpp"
 #include "problems/result_scope.hpp"
 
 namespace rfm {
@@ -50,6 +51,7 @@ std::optional<Picture> read_picture(const DocumentNode& node, ValueReader& value
     else if (bounds)
       picture.range = {(*bounds)[0], (*bounds)[1]};
   }
+  read_view(node, values, picture);
   return picture;
 }
 

@@ -149,6 +149,14 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"outputs.picture.colours=uniform", word_value, optional, "From dark blue to yellow."},
     {"outputs.picture.colours=diverging", word_value, optional,
      "Blue below zero, red above, white at zero."},
+    {"outputs.picture.view", numbers_value, optional,
+     "In space: the direction towards the viewer, z being up."},
+    {"outputs.picture.cut", map_value | boolean_value, optional,
+     "In space: the plane at which the body is cut open; false: no cut."},
+    {"outputs.picture.cut.point", numbers_value, optional,
+     "A point of the plane; without it, the middle of the domain."},
+    {"outputs.picture.cut.normal", numbers_value, optional,
+     "Points to what is taken away; without it, along an axis towards the viewer."},
 });
 
 }  // namespace

@@ -91,38 +91,43 @@ std::optional<RayHit> RayCaster::first_entry(const Line& ray) const {
   const auto enter_at_start = [&](double position) {
     return enter(position, started ? nearest_primitive(near, position) : RayHit::none);
   };
-  tree_.walk(near, 0, seen.high - seen.low, [&](const RegionPart& part, double low, double high) {
-    if (part.inside == Truth::yes) return enter_at_start(low);
-    if (part.inside == Truth::unknown) {
-      const std::size_t count = part.primitives.size();
-      const std::span<bool> signs = scratch.sign_list(count);
-      scratch.events.clear();
-      for (std::size_t v = 0; v < count; ++v) {
-        find_crossings(region_.level(part.primitives[v]), near, low, high, scratch.crossings);
-        signs[v] = scratch.crossings.starts_positive;
-        for (const double position : scratch.crossings.positions)
-          scratch.events.push_back({position, static_cast<int>(v)});
-      }
-      const auto inside = [&] { return part.expression.evaluate(std::span<const bool>(signs)); };
-      if (inside()) return enter_at_start(low);
-      std::ranges::sort(scratch.events, {}, &Event::position);
-      // Zeros at one place count by their total effect: w and −w leave no crack.
-      for (std::size_t next = 0; next < scratch.events.size();) {
-        const double position = scratch.events[next].position;
-        int decisive = -1;
-        for (;
-             next < scratch.events.size() && scratch.events[next].position - position <= same_place;
-             ++next) {
-          const int variable = scratch.events[next].variable;
-          signs[variable] = !signs[variable];
-          if (decisive < 0 && inside()) decisive = variable;
+  tree_.walk(
+      near, 0, seen.high - seen.low,
+      [&](const RegionPart& part, const RayTree::Gradient* gradients, double low, double high) {
+        if (part.inside == Truth::yes) return enter_at_start(low);
+        if (part.inside == Truth::unknown) {
+          const std::size_t count = part.primitives.size();
+          const std::span<bool> signs = scratch.sign_list(count);
+          scratch.events.clear();
+          for (std::size_t v = 0; v < count; ++v) {
+            find_crossings(region_.level(part.primitives[v]), gradients[v], near, low, high,
+                           scratch.crossings);
+            signs[v] = scratch.crossings.starts_positive;
+            for (const double position : scratch.crossings.positions)
+              scratch.events.push_back({position, static_cast<int>(v)});
+          }
+          const auto inside = [&] {
+            return part.expression.evaluate(std::span<const bool>(signs));
+          };
+          if (inside()) return enter_at_start(low);
+          std::ranges::sort(scratch.events, {}, &Event::position);
+          // Zeros at one place count by their total effect: w and −w leave no crack.
+          for (std::size_t next = 0; next < scratch.events.size();) {
+            const double position = scratch.events[next].position;
+            int decisive = -1;
+            for (; next < scratch.events.size() &&
+                   scratch.events[next].position - position <= same_place;
+                 ++next) {
+              const int variable = scratch.events[next].variable;
+              signs[variable] = !signs[variable];
+              if (decisive < 0 && inside()) decisive = variable;
+            }
+            if (decisive >= 0 && inside()) return enter(position, part.primitives[decisive]);
+          }
         }
-        if (decisive >= 0 && inside()) return enter(position, part.primitives[decisive]);
-      }
-    }
-    started = true;
-    return false;
-  });
+        started = true;
+        return false;
+      });
   if (hit_position < 0) return {};
   RayHit hit = hit_at(near, hit_position, hit_primitive);
   hit.position += seen.low;

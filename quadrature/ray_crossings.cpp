@@ -25,6 +25,17 @@ void cross_polynomial(const LinePolynomial& polynomial, double low, double high,
   add(std::max(first, second));
 }
 
+void cross_monotone(const LevelFunction& level, const Line& line, double low, double high,
+                    RayCrossings& crossings) {
+  const auto function = [&](double t, double& slope) {
+    return level.value_and_slope(line, t, slope);
+  };
+  const double value_low = level.value(line.at(low)), value_high = level.value(line.at(high));
+  crossings.starts_positive = value_low >= 0;
+  if (crossings.starts_positive != (value_high >= 0))
+    crossings.positions.push_back(bracketed_root(function, low, high, value_low, value_high));
+}
+
 void cross_function(const LevelFunction& level, const Line& line, double low, double high,
                     RayCrossings& crossings) {
   const LineBounds whole = level.bounds(line, {low, high});
@@ -64,11 +75,16 @@ void cross_function(const LevelFunction& level, const Line& line, double low, do
 
 }  // namespace
 
-void find_crossings(const LevelFunction& level, const Line& line, double low, double high,
-                    RayCrossings& crossings) {
+void find_crossings(const LevelFunction& level, const std::array<Interval, 3>& gradient,
+                    const Line& line, double low, double high, RayCrossings& crossings) {
   crossings.positions.clear();
   if (const auto polynomial = level.polynomial_along(line))
-    cross_polynomial(*polynomial, low, high, crossings);
+    return cross_polynomial(*polynomial, low, high, crossings);
+  Interval slope;
+  for (int axis = 0; axis < level.dimension(); ++axis)
+    slope = slope + gradient[axis] * Interval(line.direction[axis]);
+  if (slope.excludes_zero())
+    cross_monotone(level, line, low, high, crossings);
   else
     cross_function(level, line, low, high, crossings);
 }

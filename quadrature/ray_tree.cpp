@@ -1,6 +1,7 @@
 #include "quadrature/ray_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/error.hpp"
@@ -32,11 +33,18 @@ class RayTree::Builder {
       inside = candidates.narrow(enlarged, true, region_, {});
     if (inside != Truth::unknown || depth >= max_depth_ || is_simple(candidates, enlarged, depth)) {
       tree_.nodes_[node].below = part(candidates, inside);
+      tree_.nodes_[node].gradients = static_cast<int>(tree_.gradients_.size());
+      if (inside == Truth::unknown)
+        for (const int k : candidates.primitives) {
+          const LevelFunction& level = region_.level(k);
+          tree_.gradients_.push_back(level.is_quadric() ? RayTree::Gradient{}
+                                                        : level.bounds(enlarged).gradient);
+        }
       return;
     }
     const int axis = box.longest_axis(), below = static_cast<int>(tree_.nodes_.size());
     const auto halves = bisect(box, axis);
-    tree_.nodes_[node] = {halves[0].high[axis], below, axis};
+    tree_.nodes_[node] = {halves[0].high[axis], below, axis, 0};
     tree_.nodes_.resize(tree_.nodes_.size() + 2);
     build(below, halves[0], candidates, depth + 1);
     build(below + 1, halves[1], std::move(candidates), depth + 1);
@@ -49,7 +57,7 @@ class RayTree::Builder {
   }
 
   // Quadrics are met in closed form: no need of small parts. Other functions are easy where they
-  // are monotone in some direction.
+  // are monotone in all directions but those that graze their surface.
   bool is_simple(const SurfaceCandidates& candidates, const Box& box, int depth) const {
     const std::size_t count = candidates.primitives.size();
     constexpr std::size_t few = 3;
@@ -57,7 +65,13 @@ class RayTree::Builder {
     constexpr int small = 9;
     if (count > 1 || depth < small) return false;
     const FunctionBounds bounds = region_.level(candidates.primitives[0]).bounds(box);
-    return std::ranges::any_of(bounds.gradient, &Interval::excludes_zero);
+    double middle = 0, radius = 0;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+      middle = std::hypot(middle, bounds.gradient[axis].middle());
+      radius = std::hypot(radius, bounds.gradient[axis].radius());
+    }
+    constexpr double narrow = 0.25;
+    return radius < narrow * middle;
   }
 
   // Many boxes share one part.

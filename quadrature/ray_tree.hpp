@@ -27,12 +27,15 @@ class RayTree {
   /// `max_depth` halvings at most.
   RayTree(const RegionEvaluator& region, const Box& bounds, int max_depth);
 
+  using Gradient = std::array<Interval, 3>;
+
   const Box& bounds() const { return bounds_; }
   int part_count() const { return static_cast<int>(parts_.size()); }
   int node_count() const { return static_cast<int>(nodes_.size()); }
 
-  /// Calls `visit(const RegionPart&, from, to)` for the parts that a line passes between the
+  /// Calls `visit(part, gradients, from, to)` for the parts that a line passes between the
   /// parameters `low` and `high`, in their order, which join without gaps, until it returns true.
+  /// `gradients` are bounds of ∇level there, of each of the part's primitives that is no quadric.
   template <class Visit>
   void walk(const Line& line, double low, double high, Visit&& visit) const {
     struct Pending {
@@ -61,7 +64,9 @@ class RayTree {
           }
         }
       }
-      if (visit(parts_[nodes_[node].below], low, high) || count == 0) return;
+      const Node& leaf = nodes_[node];
+      if (visit(parts_[leaf.below], gradients_.data() + leaf.gradients, low, high) || count == 0)
+        return;
       --count;
       node = pending[count].node;
       low = pending[count].low;
@@ -76,12 +81,14 @@ class RayTree {
     double place = 0;        ///< where the box is halved
     std::int32_t below = 0;  ///< the lower half, which the upper one follows; of a leaf its part
     std::int32_t axis = -1;  ///< −1: a leaf
+    std::int32_t gradients = 0;  ///< of a leaf: where its bounds begin
   };
   class Builder;
 
   Box bounds_;
   std::vector<Node> nodes_;
   std::vector<RegionPart> parts_;
+  std::vector<Gradient> gradients_;
 };
 
 }  // namespace rfm

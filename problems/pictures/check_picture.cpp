@@ -2,19 +2,18 @@
 
 #include "problems/pictures/line_check.hpp"
 #include "problems/pictures/plane_check.hpp"
+#include "problems/pictures/space_check.hpp"
 
 namespace rfm {
 
-std::optional<Image> draw_check(const ScalarProblem& problem, const DomainRule& rule, int width,
-                                std::vector<std::string>& remarks) {
+Image draw_check(const ScalarProblem& problem, const DomainRule& rule, int width) {
   switch (problem.problem().dimension) {
     case 1:
       return draw_line_check(problem, rule.grid(), width);
     case 2:
       return draw_plane_check(problem, rule, width);
     default:
-      remarks.push_back("pictures of bodies in space are not supported yet");
-      return std::nullopt;
+      return draw_space_check(problem, rule, width);
   }
 }
 

@@ -2,11 +2,12 @@
 
 #include "problems/pictures/line_picture.hpp"
 #include "problems/pictures/plane_picture.hpp"
+#include "problems/pictures/space_picture.hpp"
 
 namespace rfm {
 
-std::optional<Image> draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
-                                   const Picture& picture, std::vector<std::string>& remarks) {
+Image draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
+                    const Picture& picture, std::vector<std::string>& remarks) {
   const ShownField shown = shown_field(problem.problem(), solution, picture);
   switch (problem.problem().dimension) {
     case 1:
@@ -14,8 +15,7 @@ std::optional<Image> draw_solution(const ScalarProblem& problem, const ScalarSol
     case 2:
       return draw_plane(problem, shown, picture, remarks);
     default:
-      remarks.push_back("pictures of bodies in space are not supported yet");
-      return std::nullopt;
+      return draw_space(problem, shown, picture, remarks);
   }
 }
 

@@ -1,18 +1,16 @@
 #pragma once
 
-#include <optional>
-
 #include "problems/output/image.hpp"
 #include "problems/scalar_problem.hpp"
 
 namespace rfm {
 
 /// Draws a result of a solved problem as `picture` asks: in 2D colours with contour lines, or
-/// arrows for a vector; in 1D a plot over x. Needs no display.
+/// arrows for a vector; in 1D a plot over x; in 3D the body, whole and cut open. Needs no display.
 ///
 /// `remarks` receives what the viewer should know: values that are not finite, contour lines that
-/// could not be drawn, and why there is no picture at all (then nothing is returned).
-std::optional<Image> draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
-                                   const Picture& picture, std::vector<std::string>& remarks);
+/// could not be drawn.
+Image draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
+                    const Picture& picture, std::vector<std::string>& remarks);
 
 }  // namespace rfm

@@ -14,8 +14,7 @@ void write_pictures(ResultFolder& folder, const std::string& name, const ScalarP
   };
   std::vector<std::string> remarks;
   const Picture picture = problem.problem().outputs.picture.value_or(Picture{});
-  if (const auto image = draw_solution(problem, solution, picture, remarks))
-    add(name + ".png", *image);
+  add(name + ".png", draw_solution(problem, solution, picture, remarks));
   if (const auto image =
           draw_convergence(convergence, shown_title(problem.problem()), picture.width))
     add(name + ".convergence.png", *image);

@@ -1,0 +1,187 @@
+#include "problems/pictures/space_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/tape.hpp"
+#include "problems/output/picture_layout.hpp"
+#include "problems/output/plot.hpp"
+#include "problems/output/region_picture.hpp"
+#include "problems/pictures/axes_triad.hpp"
+#include "problems/pictures/grid_box.hpp"
+#include "problems/pictures/panel_arrangement.hpp"
+#include "problems/pictures/plane_check.hpp"
+#include "problems/pictures/scene_painter.hpp"
+#include "problems/pictures/scene_panel.hpp"
+#include "problems/pictures/shown_field.hpp"
+#include "problems/pictures/visible_places.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr Colour cut_colour{0.88, 0.88, 0.86}, unnamed_colour{0.7, 0.7, 0.7};
+constexpr double paleness = 0.25;
+
+// Which condition holds at a point of a piece: it may have several, each on a part.
+class ConditionFinder {
+ public:
+  explicit ConditionFinder(const ScalarProblem& problem) {
+    const auto& conditions = problem.conditions();
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      auto& list = candidates_[conditions[i].primitive];
+      list.push_back({static_cast<int>(i), std::nullopt});
+      if (conditions[i].where) list.back().where.emplace(Tape({*conditions[i].where}, {0}, 3));
+    }
+  }
+
+  /// −1: none, as on a cut.
+  int operator()(const SceneSample& sample) const {
+    const auto found = candidates_.find(sample.primitive);
+    if (found == candidates_.end()) return -1;
+    for (const Candidate& candidate : found->second)
+      if (!candidate.where || candidate.where->value(sample.point) >= 0) return candidate.number;
+    return -1;
+  }
+
+ private:
+  struct Candidate {
+    int number;
+    std::optional<Tape> where;
+  };
+  std::map<int, std::vector<Candidate>> candidates_;  // by primitive
+};
+
+struct Panel {
+  const char* caption;
+  ScenePanel scene;
+};
+
+std::vector<Panel> make_panels(const ScalarProblem& problem) {
+  const Region& region = problem.region().region();
+  const Box& bounds = problem.bounds();
+  const Point front = Picture{}.view, behind{-front[0], -front[1], -front[2]};
+  std::vector<Panel> panels;
+  panels.push_back({"from the front", ScenePanel(region, bounds, {}, View::at(bounds, front))});
+  panels.push_back(
+      {"from behind and below", ScenePanel(region, bounds, {}, View::at(bounds, behind))});
+  panels.push_back({"cut open", ScenePanel(region, bounds, CutPlane::facing(bounds, front),
+                                           View::at(bounds, front))});
+  return panels;
+}
+
+NumberedPixels numbered(const SceneSamples& scene, const ConditionFinder& condition_at) {
+  NumberedPixels pixels{scene.width, scene.height, {}};
+  for (const SceneSample& sample : scene.centres)
+    pixels.number.push_back(sample.is_surface() ? condition_at(sample) : -1);
+  return pixels;
+}
+
+// Names stand where a piece has most room: in each view where they fit, at least in the best one.
+void write_names(Canvas& canvas, const std::vector<RegionPicture::Piece>& pieces,
+                 const std::vector<Panel>& panels, const ConditionFinder& condition_at,
+                 const std::vector<PixelRectangle>& rooms, double font) {
+  const int count = static_cast<int>(pieces.size());
+  std::vector<std::vector<std::optional<VisiblePlace>>> places;
+  for (const Panel& panel : panels)
+    places.push_back(visible_places(numbered(panel.scene.samples(), condition_at), count));
+  const double size = 0.9 * font;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+    double best = 0;
+    for (const auto& in_panel : places)
+      if (in_panel[piece]) best = std::max(best, in_panel[piece]->radius);
+    const double fits = std::min(best, 0.5 * text_extent(pieces[piece].name, size).width);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (const auto& place = places[i][piece]; place && place->radius >= fits)
+        canvas.text(pieces[piece].name,
+                    {rooms[i].left + place->place.x, rooms[i].top + place->place.y},
+                    {.size = size, .horizontal = Align::centre, .halo = 0.15 * font});
+  }
+}
+
+void list_pieces(Canvas& canvas, const PixelRectangle& room,
+                 const std::vector<RegionPicture::Piece>& pieces, double font) {
+  const double row = 1.5 * font, side = 0.8 * font;
+  const std::size_t rows = static_cast<std::size_t>(std::max(1.0, room.height / row));
+  const std::size_t shown = pieces.size() <= rows ? pieces.size() : rows - 1;
+  double y = room.top + 0.5 * row;
+  for (std::size_t i = 0; i < shown; ++i, y += row) {
+    canvas.fill({{room.left, y - 0.5 * side},
+                 {room.left + side, y - 0.5 * side},
+                 {room.left + side, y + 0.5 * side},
+                 {room.left, y + 0.5 * side}},
+                mixed(pieces[i].colour, white, paleness));
+    const double left = room.left + 1.5 * side;
+    canvas.text(fitted(pieces[i].description, font, room.right() - left), {left, y},
+                {.size = font});
+  }
+  if (shown < pieces.size())
+    canvas.text("and " + std::to_string(pieces.size() - shown) + " more", {room.left, y},
+                {.size = font});
+}
+
+}  // namespace
+
+Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int width) {
+  std::vector<Panel> panels = make_panels(problem);
+  const Grid& grid = rule.grid();
+  ViewWindow window = ViewWindow::of(panels[0].scene.view(), grid.box());
+  for (const Panel& panel : panels) {
+    const ViewWindow other = ViewWindow::of(panel.scene.view(), grid.box());
+    window.include({other.left, other.low});
+    window.include({other.right, other.high});
+  }
+  const PanelArrangement arrangement =
+      PanelArrangement::of(window, static_cast<int>(panels.size()));
+  std::vector<RegionPicture::Piece> pieces;
+  for (const PieceCondition& condition : problem.conditions())
+    pieces.push_back(
+        {condition.name, description(condition), distinct_colour(static_cast<int>(pieces.size()))});
+
+  const double font = label_size(width);
+  const double legend_room = std::min(0.35 * width, legend_width(pieces, font));
+  PictureRequest request;
+  request.width = width;
+  request.title = shown_title(problem.problem());
+  request.aspect = arrangement.aspect;
+  request.right_margin = legend_room + font;
+  constexpr int most_rows = 30;
+  request.least_height = 1.5 * font * (std::min(most_rows, static_cast<int>(pieces.size())) + 1);
+  const PictureLayout layout = picture_layout(request);
+
+  const ConditionFinder condition_at(problem);
+  SceneStyle style;
+  Canvas canvas(layout.width, layout.height);
+  std::vector<PixelRectangle> rooms;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    ScenePanel& scene = panels[i].scene;
+    const PixelRectangle room =
+        arrangement.place(static_cast<int>(i), layout.shown, layout.font_size);
+    rooms.push_back(room);
+    scene.sample(window, static_cast<int>(room.width), static_cast<int>(room.height));
+    style.flat_primitive = scene.cut_primitive();
+    style.colour = [&](const SceneSample& sample) {
+      if (sample.primitive == scene.cut_primitive()) return cut_colour;
+      const int condition = condition_at(sample);
+      return condition < 0
+                 ? unnamed_colour
+                 : mixed(pieces[static_cast<std::size_t>(condition)].colour, white, paleness);
+    };
+    draw_grid_box(canvas, room.left, room.top, scene.camera(), grid);
+    paint_scene(canvas, static_cast<int>(room.left), static_cast<int>(room.top), scene.samples(),
+                scene.camera(), style);
+    draw_axes_triad(canvas, {room.left + 2.2 * font, room.bottom() - 1.5 * font}, 1.6 * font,
+                    0.8 * font, scene.view());
+    canvas.text(panels[i].caption, {room.left + 0.5 * room.width, room.top - 0.9 * font},
+                {.size = font, .horizontal = Align::centre});
+  }
+  write_names(canvas, pieces, panels, condition_at, rooms, font);
+  draw_frame(canvas, layout, request);
+  list_pieces(canvas,
+              {layout.shown.right() + 1.2 * font, layout.shown.top, legend_room,
+               canvas.height() - layout.shown.top - font},
+              pieces, font);
+  return canvas.image();
+}
+
+}  // namespace rfm
