@@ -54,6 +54,14 @@ std::optional<Place2> LabelPlaces::place(int curve, const TextExtent& text) {
   if (curve >= static_cast<int>(curves_.size()) || curves_[curve].empty()) return std::nullopt;
   const std::vector<Place2>& pixels = curves_[curve];
   const double width = text.width, height = text.height, gap = 0.35 * height;
+  Place2 middle;
+  for (const Place2& pixel : pixels) {
+    middle.x += pixel.x / static_cast<double>(pixels.size());
+    middle.y += pixel.y / static_cast<double>(pixels.size());
+  }
+  double reach = 0;
+  for (const Place2& pixel : pixels)
+    reach = std::max(reach, std::hypot(pixel.x - middle.x, pixel.y - middle.y));
   constexpr std::size_t tried = 160;
   const std::size_t step = std::max<std::size_t>(1, pixels.size() / tried);
   double least = INFINITY;
@@ -68,7 +76,8 @@ std::optional<Place2> LabelPlaces::place(int curve, const TextExtent& text) {
                                        height};
         // Beside or above and below reads better than across a corner, the middle better than an
         // end.
-        const double off_middle = std::abs(double(i) / pixels.size() - 0.5);
+        const double off_middle =
+            std::hypot(pixels[i].x - middle.x, pixels[i].y - middle.y) / (1 + reach);
         const double value =
             penalty(curve, rectangle) + (dx != 0 && dy != 0 ? 4 : 0) + 3 * off_middle;
         if (value < least) {

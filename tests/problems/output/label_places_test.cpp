@@ -58,6 +58,13 @@ TEST(LabelPlaces, NamesHideNeitherCurvesNorEachOtherAndStandNextToTheirs) {
   }
 }
 
+TEST(LabelPlaces, TheMiddleOfASideIsPreferred) {
+  LabelPlaces places(400, 200);
+  for (int y = 99; y <= 100; ++y)
+    for (int x = 50; x < 350; ++x) places.add_curve_pixel(0, x, y);
+  EXPECT_NEAR(places.place(0, {60, 20})->x + 30, 200, 5);
+}
+
 TEST(LabelPlaces, APlaceIsTakenOnce) {
   // Two curves through the same pixels would both have the best place.
   LabelPlaces places(400, 400);
