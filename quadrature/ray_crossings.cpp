@@ -5,24 +5,37 @@
 namespace rfm {
 namespace {
 
+// Signs follow from where the zeros are, not from values: the parts of a ray then fit together
+// whatever is rounded, also where a part begins at a zero.
 void cross_polynomial(const LinePolynomial& polynomial, double low, double high,
                       RayCrossings& crossings) {
-  crossings.starts_positive = polynomial.value(low) >= 0;
   const auto [c, b, a] = polynomial;
-  const auto add = [&](double root) {
-    if (root > low && root <= high) crossings.positions.push_back(root);
-  };
+  double zeros[2];
+  int count = 0;
+  bool positive = c >= 0;  // before the first zero
   if (a == 0) {
-    if (b != 0) add(-c / b);
-    return;
+    if (b != 0) {
+      positive = b < 0;
+      zeros[count++] = -c / b;
+    }
+  } else {
+    positive = a > 0;
+    const double discriminant = b * b - 4 * a * c;
+    if (discriminant > 0) {
+      // The stable pair: no difference of nearly equal numbers.
+      const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+      const double first = q / a, second = c / q;
+      zeros[count++] = std::min(first, second);
+      zeros[count++] = std::max(first, second);
+    }
   }
-  const double discriminant = b * b - 4 * a * c;
-  if (!(discriminant > 0)) return;
-  // The stable pair: no difference of nearly equal numbers.
-  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-  const double first = q / a, second = c / q;
-  add(std::min(first, second));
-  add(std::max(first, second));
+  for (int i = 0; i < count; ++i) {
+    if (zeros[i] <= low)
+      positive = !positive;
+    else if (zeros[i] <= high)
+      crossings.positions.push_back(zeros[i]);
+  }
+  crossings.starts_positive = positive;
 }
 
 void cross_monotone(const LevelFunction& level, const Line& line, double low, double high,

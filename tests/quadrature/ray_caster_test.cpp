@@ -257,6 +257,34 @@ TEST(RayCaster, MeetsFacesThatCoincideOnce) {
   EXPECT_EQ(cut->normal, (Point{1, 0, 0}));
 }
 
+TEST(RayCaster, MeetsWhatBeginsInAPlaneThatHalvesTheBounds) {
+  // Parts of space end in the plane y = 0, in which the upper half of a tube begins. Outside the
+  // tube rays pass the plane and meet the wall, whatever the rounding of their place on it.
+  const Scene scene((cylinder({0, 0, 0}, {0, 0, 1}, 1, 4).named("tube") -
+                     cylinder({0, 0, 0}, {0, 0, 1}, 0.5).named("bore")) &
+                    half_space({0, 0, 0}, {0, 1, 0}).named("cut"));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1.5, 1.5);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = place(random), z = place(random);
+    const Line ray = towards({3 + x, -7, 2}, {x, 0, z});  // through the plane y = 0
+    const auto hit = scene(ray);
+    const double radius = std::fabs(x);
+    if (std::fabs(radius - 1) < 1e-9 || std::fabs(radius - 0.5) < 1e-9) continue;
+    if (radius > 0.5 && radius < 1) {
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(hit->point[1], 0, 1e-14);
+      EXPECT_EQ(scene.hit_name(ray), "cut");
+    } else if (radius < 0.5) {
+      ASSERT_TRUE(hit) << x << " " << z;
+      EXPECT_NEAR(std::hypot(hit->point[0], hit->point[1]), 0.5, 1e-13);
+      EXPECT_EQ(scene.hit_name(ray), "bore.side");
+    } else if (hit) {
+      EXPECT_NEAR(std::hypot(hit->point[0], hit->point[1]), 1, 1e-13);
+    }
+  }
+}
+
 TEST(RayCaster, OfARayThatStartsInsideIsItsStart) {
   const Scene scene(sphere({0, 0, 0}, 1));
   const auto hit = scene({{0.3, 0, 0}, {0, 0, 1}});
