@@ -13,11 +13,11 @@ namespace rfm {
 ///     ∇ = p ∇a + q ∇b,      H = p Hₐ + q H_b ∓ w wᵀ / s³ ,
 ///
 /// for the Hessian of √(a² + b²) is of rank one beside those of its arguments. Nothing cancels: the
-/// value is v = 2ab / (a + b ± s) where a + b has the sign of ±s, and p = (b − v)/±s,
-/// q = (a − v)/±s then have absolute errors of ulps of their smaller argument over s. So where a =
-/// 0 and the other argument is inactive, v = a and ∇ = ∇a up to rounding of a itself, however deep
-/// such functions are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp).
-/// The functions are homogeneous, so that arguments whose squares would overflow or underflow are
+/// value is v = 2ab / (a + b ± s) where a + b has the sign of ±s, and for |a| ≤ |b| the
+/// weights p = 1 ∓ a/s, q = (a − v)/±s have absolute errors of ulps of a/s, likewise for |b| ≤ |a|.
+/// So where a = 0 and the other argument is inactive, v = a and ∇ = ∇a up to rounding of a itself,
+/// however deep such functions are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp). The
+/// functions are homogeneous, so that arguments whose squares would overflow or underflow are
 /// scaled by a power of two.
 template <class T>
 struct R0Weights {
@@ -40,7 +40,7 @@ struct R0Weights {
   // With a and b = `back` times the scaled x and y.
   [[gnu::always_inline]] void compute(const T& a, const T& b, const T& x, const T& y, const T& back,
                                       bool conjunction) {
-    using std::max, std::min, std::sqrt;
+    using std::abs, std::max, std::min, std::sqrt;
     const T root = sqrt(x * x + y * y), sum = x + y;
     const T s = conjunction ? root : -root;
     // Where sum and s have one sign, twice the farther argument over sum + s is from 1/2 to 1.
@@ -54,8 +54,14 @@ struct R0Weights {
     value = with(conjunction ? min(a, b) : max(a, b), scaled * back);
     const auto corner = equal(root, T(0.0));
     const T inverse = T(1.0) / s;
-    p = select(corner, T(1.0), (y - scaled) * inverse);
-    q = select(corner, T(1.0), (x - scaled) * inverse);
+    // Of the two weights 1 − x/s and 1 − y/s = (x − v)/s, the first, of the argument nearer to
+    // zero, is exactly 1 and the second exactly 0 where x is negligible.
+    const auto first = less(abs(x), abs(y));
+    const T near = select(first, x, y);
+    const T of_near = select(corner, T(1.0), T(1.0) - near * inverse);
+    const T of_far = select(corner, T(1.0), (near - scaled) * inverse);
+    p = select(first, of_near, of_far);
+    q = select(first, of_far, of_near);
     curvature = select(corner, T(0.0), inverse * inverse * inverse);
   }
 };

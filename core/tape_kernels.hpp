@@ -31,7 +31,7 @@ struct Kernels {
   }
 
   template <Operation operation, int arity>
-  static void apply(const Step& step, double* memory, int count) {
+  [[gnu::flatten]] static void apply(const Step& step, double* memory, int count) {
     for (int lane = 0; lane < count; lane += width) {
       const BatchJet a = load(step.arguments[0], memory, lane);
       BatchJet b, c;

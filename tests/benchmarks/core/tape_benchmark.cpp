@@ -1,0 +1,100 @@
+// Tapes of everyday shapes: CPU time per point, and the time to compile.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/primitives.hpp"
+#include "core/r_functions.hpp"
+#include "core/tape.hpp"
+#include "tests/benchmarks/core/measured_points.hpp"
+
+namespace rfm::benchmarks {
+namespace {
+
+const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+
+// A. Pasko's chess pawn, eq. (3) of Shapiro's primer: a head, a collar, a body that is the
+// revolution of an arc, and two discs, joined by R₀-functions.
+Field pawn() {
+  const Field r2 = x * x + y * y, r = sqrt(r2);
+  const Field slab = conjunction(z, 7 - z);
+  const Field body = conjunction(pow(4 - 8 * z / 7 + r2 / 4, 2) - 4 * r2, slab);
+  const Field head = 4 - r2 - pow(z - 8, 2);
+  const Field collar = 1 - pow(r - 1.5, 2) - 9 * pow(z - 6.5, 2);
+  const Field base = 12 - r2 - 4 * pow(z, 2);
+  return disjunction(disjunction(disjunction(body, head), collar), base);
+}
+
+// The R₀-function of a polygon: conjunctions of its edges, as for a convex one.
+Field polygon(int edges) {
+  Field all;
+  for (int k = 0; k < edges; ++k) {
+    const double angle = 2 * std::numbers::pi * k / edges;
+    const Region side =
+        half_plane({std::cos(angle), std::sin(angle)}, {-std::cos(angle), -std::sin(angle)});
+    const Field edge = side.primitives()[0]->function;
+    all = k == 0 ? edge : conjunction(all, edge);
+  }
+  return all;
+}
+
+Field spheres(int count) {
+  Field all;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.4 * k, height = 2.0 * k / count - 1, radius = std::sqrt(k / 1e4);
+    const Region ball = sphere({radius * std::cos(angle), radius * std::sin(angle), height}, 0.02);
+    const Field function = ball.primitives()[0]->function;
+    all = k == 0 ? function : disjunction(all, function);
+  }
+  return all;
+}
+
+void pawn_value_and_gradient(benchmark::State& state) {
+  measure_tape(state, Tape({pawn()}, {1}, 3));
+}
+BENCHMARK(pawn_value_and_gradient);
+
+void polygon_of_1000_edges_value_and_gradient(benchmark::State& state) {
+  measure_tape(state, Tape({polygon(1000)}, {1}, 2));
+}
+BENCHMARK(polygon_of_1000_edges_value_and_gradient)->Unit(benchmark::kMillisecond);
+
+void third_order_in_the_plane(benchmark::State& state) {
+  const Field f = sin(x * y) * exp(-(x * x) - y * y) / (2 + x) + sqrt(1 + x * x * y * y);
+  measure_tape(state, Tape({f}, {3}, 2));
+}
+BENCHMARK(third_order_in_the_plane);
+
+void six_primitives_third_order_in_the_plane(benchmark::State& state) {
+  measure_tape(state, Tape({polygon(6)}, {3}, 2));
+}
+BENCHMARK(six_primitives_third_order_in_the_plane);
+
+void union_of_10000_spheres_value_and_gradient(benchmark::State& state) {
+  measure_tape(state, Tape({spheres(10000)}, {1}, 3));
+}
+BENCHMARK(union_of_10000_spheres_value_and_gradient)->Unit(benchmark::kMillisecond);
+
+// A graph of about 10,000 different nodes: 1,250 spheres and their union.
+void compiling_10000_nodes(benchmark::State& state) {
+  const Field all = spheres(770);
+  int instructions = 0;
+  for (auto _ : state) {
+    const Tape tape({all}, {1}, 3);
+    instructions = tape.instruction_count();
+  }
+  state.counters["instructions"] = instructions;
+}
+BENCHMARK(compiling_10000_nodes)->Unit(benchmark::kMillisecond);
+
+void compiling_a_chain_of_10000_nodes(benchmark::State& state) {
+  Field chain = x;
+  for (int k = 0; k < 5000; ++k) chain = sin(chain) + (0.5 + k) * y;
+  for (auto _ : state) benchmark::DoNotOptimize(Tape({chain}, {2}, 3).instruction_count());
+  state.counters["instructions"] = Tape({chain}, {2}, 3).instruction_count();
+}
+BENCHMARK(compiling_a_chain_of_10000_nodes)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace rfm::benchmarks
