@@ -57,7 +57,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   if (!scalar.dirichlet().by_structure.empty())
     log.line("structure: u = g + omega psi, omega = {}", scalar.dirichlet().weight.formula);
   for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
-  const TensorProductSpace space(grid, problem.discretization.degree, cells_in_region(rule));
+  const TensorProductSpace space(grid, problem.discretization.degree,
+                                 cells_in_region(rule, problem.discretization.degree));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
            rule.report().cut_cells, space.size());
   if (options.picture) write_picture(file, options.output, scalar, rule, log);

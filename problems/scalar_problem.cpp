@@ -215,7 +215,8 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   Stopwatch assembly;
   const bool free_constant = fixed_up_to_constant();
   if (free_constant) check_compatible(solution.rule);
-  const std::vector<std::uint8_t> cells = cells_in_region(solution.rule);
+  const std::vector<std::uint8_t> cells =
+      cells_in_region(solution.rule, problem_.discretization.degree);
   const std::vector<TensorProductSpace> spaces{
       TensorProductSpace(grid, problem_.discretization.degree, cells)};
   const std::vector<Structure> structures{structure_};

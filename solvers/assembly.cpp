@@ -6,6 +6,7 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/error.hpp"
@@ -23,10 +24,17 @@ void require_consistent(std::span<const TensorProductSpace> spaces, const Domain
       throw InvalidArgument("spaces and the rule of quadrature must share one background grid");
 }
 
+// The part of a cell on which splines have a negligible energy.
+double part_of_a_touch(int dimension, int degree) {
+  if (dimension == 1) return 0;
+  const double energy = dimension == 2 ? 1e-24 : 1e-17;
+  return std::pow(energy, 1 / (1 + 4.0 * (degree - 1) / (dimension + 1)));
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> cells_in_region(const DomainRule& rule) {
-  constexpr double smallest_part = 1e-15;
+std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree) {
+  const double smallest_part = part_of_a_touch(rule.dimension(), degree);
   std::vector<std::uint8_t> cells(rule.grid().cell_count());
   for (const int cell : rule.inside_cells()) cells[cell] = 1;
   double measure = 1;
@@ -35,7 +43,7 @@ std::vector<std::uint8_t> cells_in_region(const DomainRule& rule) {
     const PointRange range = rule.cut_range(static_cast<int>(i));
     const auto first = rule.cut_points().weights.begin();
     const double part = std::accumulate(first + range.begin, first + range.end, 0.0) / measure;
-    cells[rule.cut_cells()[i]] = rule.dimension() == 1 || part > smallest_part;
+    cells[rule.cut_cells()[i]] = part > smallest_part;
   }
   return cells;
 }

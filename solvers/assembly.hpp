@@ -12,12 +12,14 @@
 
 namespace rfm {
 
-/// One flag per cell of the grid: whether the region meets it, for the spaces of a problem. In two
-/// and three dimensions cells of which less than 10⁻¹⁵ is inside do not count: where a curved
-/// boundary touches a grid line, rounding makes a cap of height ε with a part ε^((d + 1)/2) of the
-/// cell. Splines that live on such caps alone would be the same function up to rounding (the system
-/// would be singular), and without them the energy of the solution changes by less than that part.
-std::vector<std::uint8_t> cells_in_region(const DomainRule& rule);
+/// One flag per cell of the grid: whether the region meets it in more than a touch, for a space of
+/// splines of `degree`. Where a curved boundary reaches a height ε beyond a grid line it cuts off a
+/// cap; splines that live on caps alone have there the values of polynomials that differ by powers
+/// of √ε, and make the system singular to working precision (for degree 3 in space from ε = 10⁻⁴ of
+/// a cell on). Such cells are left out, and with them their splines, as soon as this costs nothing:
+/// the energy of a spline on a part f of a cell is f^(1 + 4 (degree − 1) / (d + 1)) of its whole,
+/// and below 10⁻²⁴ (in space 10⁻¹⁷) it goes. Slivers along flat sides lose less still.
+std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree = 1);
 
 /// The quadratic energy Σ ∫ (½ dᵀ C d − bᵀ d) as a function of the coefficients of the undetermined
 /// functions:

@@ -20,6 +20,6 @@ DiscretizedRegion::DiscretizedRegion(const Region& region, const DiscretizationO
     : evaluator_(region),
       bounds_(bounding_box(evaluator_)),
       rule_(rule_over(evaluator_, options.grid.value_or(bounds_), options)),
-      space_(rule_.grid(), options.degree, cells_in_region(rule_)) {}
+      space_(rule_.grid(), options.degree, cells_in_region(rule_, options.degree)) {}
 
 }  // namespace rfm
