@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory_resource>
 #include <unordered_map>
 
 #include "core/error.hpp"
@@ -35,7 +36,8 @@ struct MergedMesh {
 MergedMesh merge_vertices(const Tessellation& tessellation) {
   MergedMesh merged;
   FieldMesh& mesh = merged.mesh;
-  std::unordered_map<Point, int, PointHash> known;
+  std::pmr::monotonic_buffer_resource pool;  // no allocation per vertex
+  std::pmr::unordered_map<Point, int, PointHash> known(tessellation.vertices.size(), &pool);
   std::vector<int> number(tessellation.vertices.size());
   for (std::size_t i = 0; i < number.size(); ++i) {
     const auto [place, inserted] =

@@ -174,6 +174,8 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
 }
 
 void read_outputs(const DocumentNode& root, ValueReader& values, Problem& problem) {
+  // In space 128 points along each side would be a file of 100 MB.
+  problem.outputs.resolution = problem.dimension == 3 ? 48 : 128;
   const DocumentNode* map = values.find(root, "outputs");
   if (!map) return;
   std::vector<std::string> known = scalar_output_names();
@@ -192,7 +194,7 @@ void read_outputs(const DocumentNode& root, ValueReader& values, Problem& proble
     }
   if (const DocumentNode* vtu = values.find(*map, "vtu"))
     if (const DocumentNode* resolution = values.find(*vtu, "resolution"))
-      problem.outputs.resolution = values.integer(*resolution).value_or(128);
+      problem.outputs.resolution = values.integer(*resolution).value_or(problem.outputs.resolution);
   if (const DocumentNode* picture = values.find(*map, "picture"))
     problem.outputs.picture = read_picture(*picture, values);
 }
