@@ -1,40 +1,14 @@
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/instruction_table.hpp"
 #include "core/tape_program.hpp"
 
 namespace rfm {
 namespace {
-
-// What makes two nodes the same function.
-struct Key {
-  Operation operation;
-  int index;
-  std::uint64_t number;
-  const FieldSource* source;
-  std::array<int, 3> operands;
-  bool operator==(const Key&) const = default;
-};
-
-struct KeyHash {
-  std::size_t operator()(const Key& key) const {
-    std::size_t hash = static_cast<std::size_t>(key.operation);
-    const auto mix = [&hash](std::uint64_t value) {
-      hash ^= value + 0x9e3779b97f4a7c15ull + (hash << 6) + (hash >> 2);
-    };
-    mix(static_cast<std::uint64_t>(key.index));
-    mix(key.number);
-    mix(reinterpret_cast<std::uintptr_t>(key.source));
-    for (int operand : key.operands) mix(static_cast<std::uint64_t>(operand) + 1);
-    return hash;
-  }
-};
 
 class Compiler {
  public:
@@ -45,26 +19,37 @@ class Compiler {
     std::vector<const Field::Node*> pending{&root.node()};
     while (!pending.empty()) {
       const Field::Node* node = pending.back();
-      if (number_of_.contains(node)) {
+      if (number_of(node) >= 0) {
         pending.pop_back();
         continue;
       }
       bool ready = true;
       for (const Field& argument : node->arguments)
-        if (!number_of_.contains(&argument.node())) {
+        if (number_of(&argument.node()) < 0) {
           pending.push_back(&argument.node());
           ready = false;
         }
       if (!ready) continue;
       pending.pop_back();
-      number_of_[node] = intern(*node);
+      const int number = intern(*node);
+      places_.find_or_insert(hash_of(node), static_cast<int>(nodes_.size()),
+                             [](int) { return false; });
+      nodes_.push_back({node, number});
     }
-    return number_of_.at(&root.node());
+    return number_of(&root.node());
   }
 
-  std::vector<Instruction> instructions;
+  InstructionTable table;
 
  private:
+  static std::uint64_t hash_of(const Field::Node* node) {
+    return reinterpret_cast<std::uintptr_t>(node) >> 4;
+  }
+  int number_of(const Field::Node* node) const {
+    const int place = places_.find(hash_of(node), [&](int i) { return nodes_[i].first == node; });
+    return place < 0 ? -1 : nodes_[place].second;
+  }
+
   int intern(const Field::Node& node) {
     Instruction instruction;
     instruction.operation = node.operation;
@@ -72,7 +57,7 @@ class Compiler {
     instruction.number = node.number;
     instruction.source = node.source;
     for (std::size_t i = 0; i < node.arguments.size(); ++i)
-      instruction.operands[i] = number_of_.at(&node.arguments[i].node());
+      instruction.operands[i] = number_of(&node.arguments[i].node());
     // A coordinate beyond the dimension is 0 for all points: nothing varies along it.
     if (node.operation == Operation::coordinate && node.index < 3 && node.index >= dimension_) {
       instruction.operation = Operation::constant;
@@ -81,55 +66,12 @@ class Compiler {
     if (node.operation == Operation::partial && node.index >= dimension_) {
       instruction = Instruction();
     }
-    simplify(instruction);
-    const Key key{instruction.operation, instruction.index,
-                  std::bit_cast<std::uint64_t>(instruction.number), instruction.source.get(),
-                  instruction.operands};
-    const auto [place, inserted] = known_.try_emplace(key, static_cast<int>(instructions.size()));
-    if (inserted) instructions.push_back(std::move(instruction));
-    return place->second;
-  }
-
-  bool constant(int operand) const {
-    return instructions[operand].operation == Operation::constant;
-  }
-
-  // Sums and products with a constant need no jet for the constant.
-  void simplify(Instruction& instruction) const {
-    auto& [a, b, c] = instruction.operands;
-    const auto become = [&](Operation operation, double number, int operand) {
-      instruction.operation = operation;
-      instruction.number = number;
-      instruction.operands = {operand, -1, -1};
-    };
-    const auto number = [this](int operand) { return instructions[operand].number; };
-    switch (instruction.operation) {
-      case Operation::multiply:
-        if (constant(b)) return become(Operation::scale, number(b), a);
-        if (constant(a)) return become(Operation::scale, number(a), b);
-        if (a == b) {
-          become(Operation::integer_power, 2, a);
-          instruction.index = 2;
-          return;
-        }
-        if (a > b) std::swap(a, b);
-        return;
-      case Operation::add:
-        if (constant(b)) return become(Operation::offset, number(b), a);
-        if (constant(a)) return become(Operation::offset, number(a), b);
-        if (a > b) std::swap(a, b);
-        return;
-      case Operation::subtract:
-        if (constant(b)) return become(Operation::offset, -number(b), a);
-        return;
-      default:
-        return;
-    }
+    return table.add(std::move(instruction));
   }
 
   int dimension_;
-  std::unordered_map<const Field::Node*, int> number_of_;
-  std::unordered_map<Key, int, KeyHash> known_;
+  std::vector<std::pair<const Field::Node*, int>> nodes_;  // with the numbers of instructions
+  IndexTable places_;
 };
 
 // Leaves out what no root needs: constants that went into `scale` and `offset`, and what stood
@@ -161,7 +103,7 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
   Compiler compiler(dimension);
   auto program = std::make_unique<Tape::Program>();
   for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
-  std::vector<Instruction>& code = program->instructions = std::move(compiler.instructions);
+  std::vector<Instruction>& code = program->instructions = std::move(compiler.table).take();
   remove_unused(code, program->root_instructions);
 
   for (std::size_t i = 0; i < roots.size(); ++i) {
