@@ -63,14 +63,14 @@ void Axes::draw(Canvas& canvas) const {
   const double tick = tick_length * font_size, label = label_distance * font_size;
   const std::size_t stride = label_stride(*this);
   for (std::size_t i = 0; i < x.ticks.values.size(); ++i) {
-    const Place2 at = place(x.ticks.values[i], y.low);
+    const PixelPosition at = place(x.ticks.values[i], y.low);
     canvas.line({at, {at.x, at.y + tick}}, 1, frame_colour);
     if (i % stride == 0)
       canvas.text(x.ticks.labels[i], {at.x, at.y + label},
                   {.size = font_size, .horizontal = Align::centre, .vertical = Align::after});
   }
   for (std::size_t i = 0; i < y.ticks.values.size(); ++i) {
-    const Place2 at = place(x.low, y.ticks.values[i]);
+    const PixelPosition at = place(x.low, y.ticks.values[i]);
     canvas.line({at, {at.x - tick, at.y}}, 1, frame_colour);
     canvas.text(y.ticks.labels[i], {at.x - label, at.y},
                 {.size = font_size, .horizontal = Align::before});

@@ -29,7 +29,7 @@ struct Axes {
   Axis x, y;
   double font_size = 16;
 
-  Place2 place(double x_value, double y_value) const {
+  PixelPosition place(double x_value, double y_value) const {
     return {frame.left + x.share(x_value) * frame.width,
             frame.bottom() - y.share(y_value) * frame.height};
   }

@@ -49,27 +49,28 @@ void Canvas::paint(const Coverage& coverage, const Colour& colour, double opacit
     }
 }
 
-void Canvas::fill(std::span<const Place2> corners, const Colour& colour, double opacity) {
+void Canvas::fill(std::span<const PixelPosition> corners, const Colour& colour, double opacity) {
   paint(polygon_coverage(corners, width(), height()), colour, opacity);
 }
 
-void Canvas::line(std::span<const Place2> points, double line_width, const Colour& colour,
+void Canvas::line(std::span<const PixelPosition> points, double line_width, const Colour& colour,
                   double opacity) {
   paint(line_coverage(points, line_width, width(), height()), colour, opacity);
 }
 
-void Canvas::arrow(const Place2& from, const Place2& to, double line_width, const Colour& colour) {
+void Canvas::arrow(const PixelPosition& from, const PixelPosition& to, double line_width,
+                   const Colour& colour) {
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (!(length > 0)) return;
   const double ex = dx / length, ey = dy / length;
   const double head = std::min(4 * line_width, 0.5 * length), half = 0.4 * head;
-  const Place2 neck{to.x - head * ex, to.y - head * ey};
+  const PixelPosition neck{to.x - head * ex, to.y - head * ey};
   line({from, {neck.x + 0.5 * ex, neck.y + 0.5 * ey}}, line_width, colour);
   fill({to, {neck.x - half * ey, neck.y + half * ex}, {neck.x + half * ey, neck.y - half * ex}},
        colour);
 }
 
-void Canvas::text(const std::string& text, const Place2& place, const TextStyle& style) {
+void Canvas::text(const std::string& text, const PixelPosition& place, const TextStyle& style) {
   TextImage rendered = render_text(text, style.size);
   if (rendered.coverage.width == 0) return;
   // Digits and capitals of common fonts are about 0.73 of the font's size above the baseline.

@@ -40,20 +40,22 @@ class Canvas {
   Image& image() { return image_; }
   const Image& image() const { return image_; }
 
-  void fill(std::span<const Place2> corners, const Colour& colour, double opacity = 1);
-  void fill(std::initializer_list<Place2> corners, const Colour& colour, double opacity = 1) {
+  void fill(std::span<const PixelPosition> corners, const Colour& colour, double opacity = 1);
+  void fill(std::initializer_list<PixelPosition> corners, const Colour& colour,
+            double opacity = 1) {
     fill(std::span(corners.begin(), corners.size()), colour, opacity);
   }
-  void line(std::span<const Place2> points, double line_width, const Colour& colour,
+  void line(std::span<const PixelPosition> points, double line_width, const Colour& colour,
             double opacity = 1);
-  void line(std::initializer_list<Place2> points, double line_width, const Colour& colour,
+  void line(std::initializer_list<PixelPosition> points, double line_width, const Colour& colour,
             double opacity = 1) {
     line(std::span(points.begin(), points.size()), line_width, colour, opacity);
   }
   /// A line with a filled head, its tip at `to`; the head is 4 line widths long, at most half of
   /// the arrow.
-  void arrow(const Place2& from, const Place2& to, double line_width, const Colour& colour);
-  void text(const std::string& text, const Place2& place, const TextStyle& style = {});
+  void arrow(const PixelPosition& from, const PixelPosition& to, double line_width,
+             const Colour& colour);
+  void text(const std::string& text, const PixelPosition& place, const TextStyle& style = {});
 
  private:
   void paint(const Coverage& coverage, const Colour& colour, double opacity, int dx = 0,

@@ -7,9 +7,10 @@ namespace rfm {
 namespace {
 
 // An empty coverage over the pixels that [low − margin, high + margin] touches.
-Coverage around(std::span<const Place2> points, double margin, int image_width, int image_height) {
+Coverage around(std::span<const PixelPosition> points, double margin, int image_width,
+                int image_height) {
   double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
-  for (const Place2& point : points) {
+  for (const PixelPosition& point : points) {
     low_x = std::min(low_x, point.x);
     high_x = std::max(high_x, point.x);
     low_y = std::min(low_y, point.y);
@@ -65,13 +66,14 @@ void add_to_row(std::span<double> row, double x0, double x1, double height) {
 
 }  // namespace
 
-Coverage polygon_coverage(std::span<const Place2> corners, int image_width, int image_height) {
+Coverage polygon_coverage(std::span<const PixelPosition> corners, int image_width,
+                          int image_height) {
   Coverage coverage = around(corners, 0, image_width, image_height);
   if (coverage.width == 0 || coverage.height == 0) return coverage;
   const std::size_t stride = static_cast<std::size_t>(coverage.width) + 1;
   std::vector<double> differences(stride * coverage.height, 0.0);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    Place2 a = corners[i], b = corners[(i + 1) % corners.size()];
+    PixelPosition a = corners[i], b = corners[(i + 1) % corners.size()];
     if (a.y == b.y) continue;
     const double sign = a.y < b.y ? 1 : -1;
     if (a.y > b.y) std::swap(a, b);
@@ -98,14 +100,14 @@ Coverage polygon_coverage(std::span<const Place2> corners, int image_width, int 
   return coverage;
 }
 
-Coverage line_coverage(std::span<const Place2> points, double line_width, int image_width,
+Coverage line_coverage(std::span<const PixelPosition> points, double line_width, int image_width,
                        int image_height) {
   const double reach = 0.5 * (line_width + 1), most = std::min(line_width, 1.0);
   Coverage coverage = around(points, reach, image_width, image_height);
   for (std::size_t i = 0; i + 1 < points.size() || i == 0; ++i) {
     if (points.empty()) break;
-    const Place2 a = points[i], b = points[std::min(i + 1, points.size() - 1)];
-    const Place2 ends[2] = {a, b};
+    const PixelPosition a = points[i], b = points[std::min(i + 1, points.size() - 1)];
+    const PixelPosition ends[2] = {a, b};
     const Coverage part = around(ends, reach, image_width, image_height);
     const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
     const double length = std::sqrt(squared);

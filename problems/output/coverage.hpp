@@ -6,7 +6,7 @@
 namespace rfm {
 
 /// A position on an image in pixels: x to the right, y down, whole numbers between pixels.
-struct Place2 {
+struct PixelPosition {
   double x = 0, y = 0;
 };
 
@@ -24,12 +24,13 @@ struct Coverage {
 /// The area of each pixel within a polygon, exact up to rounding, cut to an image of
 /// `image_width` × `image_height` pixels. Corners may run either way; where a polygon crosses
 /// itself so that parts run in opposite directions, these cancel.
-Coverage polygon_coverage(std::span<const Place2> corners, int image_width, int image_height);
+Coverage polygon_coverage(std::span<const PixelPosition> corners, int image_width,
+                          int image_height);
 
 /// A line of `line_width` pixels along a polyline, with round joints and ends: across a straight
 /// line the coverage is that of a box filter one pixel wide, so that it sums to the width of the
 /// line, thin lines (below one pixel) included.
-Coverage line_coverage(std::span<const Place2> points, double line_width, int image_width,
+Coverage line_coverage(std::span<const PixelPosition> points, double line_width, int image_width,
                        int image_height);
 
 }  // namespace rfm

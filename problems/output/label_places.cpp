@@ -50,17 +50,17 @@ double LabelPlaces::penalty(int curve, const PixelRectangle& text) const {
   return 6 * painted / std::max(1.0, within) + 40 * std::max(0.0, 1 - nearest / away);
 }
 
-std::optional<Place2> LabelPlaces::place(int curve, const TextExtent& text) {
+std::optional<PixelPosition> LabelPlaces::place(int curve, const TextExtent& text) {
   if (curve >= static_cast<int>(curves_.size()) || curves_[curve].empty()) return std::nullopt;
-  const std::vector<Place2>& pixels = curves_[curve];
+  const std::vector<PixelPosition>& pixels = curves_[curve];
   const double width = text.width, height = text.height, gap = 0.35 * height;
-  Place2 middle;
-  for (const Place2& pixel : pixels) {
+  PixelPosition middle;
+  for (const PixelPosition& pixel : pixels) {
     middle.x += pixel.x / static_cast<double>(pixels.size());
     middle.y += pixel.y / static_cast<double>(pixels.size());
   }
   double reach = 0;
-  for (const Place2& pixel : pixels)
+  for (const PixelPosition& pixel : pixels)
     reach = std::max(reach, std::hypot(pixel.x - middle.x, pixel.y - middle.y));
   constexpr std::size_t tried = 160;
   const std::size_t step = std::max<std::size_t>(1, pixels.size() / tried);
@@ -89,7 +89,7 @@ std::optional<Place2> LabelPlaces::place(int curve, const TextExtent& text) {
   for (double y = best.top; y < best.bottom() + side; y += side)
     for (double x = best.left; x < best.right() + side; x += side)
       squares_[square_of(x, y)].is_taken = true;
-  return Place2{best.left, best.top};
+  return PixelPosition{best.left, best.top};
 }
 
 }  // namespace rfm

@@ -21,7 +21,7 @@ class LabelPlaces {
 
   /// The upper left corner for a text of this size beside a curve, clear of all curves and of texts
   /// placed before, nearer to this curve than to others; or nothing. Takes the place.
-  std::optional<Place2> place(int curve, const TextExtent& text);
+  std::optional<PixelPosition> place(int curve, const TextExtent& text);
 
  private:
   struct Square {
@@ -35,7 +35,7 @@ class LabelPlaces {
   static constexpr int side = 4;
   int width_, height_, columns_, rows_;
   std::vector<Square> squares_;
-  std::vector<std::vector<Place2>> curves_;
+  std::vector<std::vector<PixelPosition>> curves_;
 };
 
 }  // namespace rfm

@@ -24,7 +24,7 @@ struct PixelWindow {
     return {left + (x + 0.5) * pixel_size, top - (y + 0.5) * pixel_size, 0};
   }
   /// Where a point of the plane is on the picture, from the window's corner.
-  Place2 place(const Point& point) const {
+  PixelPosition place(const Point& point) const {
     return {(point[0] - left) / pixel_size, (top - point[1]) / pixel_size};
   }
   double right() const { return left + width * pixel_size; }

@@ -9,18 +9,18 @@
 namespace rfm {
 namespace {
 
-void draw_marker(Canvas& canvas, const Place2& at, double radius, const Colour& colour) {
-  const Place2 point[] = {at};
+void draw_marker(Canvas& canvas, const PixelPosition& at, double radius, const Colour& colour) {
+  const PixelPosition point[] = {at};
   canvas.line(std::span(point), 2 * radius, colour);
 }
 
 void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, double scale) {
   for (const std::vector<PlotPoint>& part : curve.parts) {
-    std::vector<Place2> places;
+    std::vector<PixelPosition> places;
     for (const PlotPoint& point : part) places.push_back(axes.place(point.x, point.y));
     if (places.size() > 1) canvas.line(places, curve.line_width * scale, curve.colour);
     if (curve.has_markers || places.size() == 1)
-      for (const Place2& place : places)
+      for (const PixelPosition& place : places)
         draw_marker(canvas, place, 2.2 * curve.line_width * scale, curve.colour);
   }
 }
@@ -29,13 +29,13 @@ void draw_labels(Canvas& canvas, const Axes& axes, const std::vector<PlotCurve>&
                  bool is_outside) {
   struct Label {
     const PlotCurve* curve;
-    Place2 at;
+    PixelPosition at;
   };
   std::vector<Label> labels;
   for (const PlotCurve& curve : curves) {
     if (curve.label.empty() || curve.parts.empty() || curve.parts.back().empty()) continue;
     const PlotPoint& last = curve.parts.back().back();
-    Place2 at = axes.place(last.x, last.y);
+    PixelPosition at = axes.place(last.x, last.y);
     if (is_outside) at.x = axes.frame.right();
     at.x += (curve.label_side == Align::before ? -0.8 : 0.8) * axes.font_size;
     at.y += curve.label_below * axes.font_size;
@@ -55,9 +55,9 @@ void draw_labels(Canvas& canvas, const Axes& axes, const std::vector<PlotCurve>&
 }
 
 void draw_triangle(Canvas& canvas, const Axes& axes, const PlotTriangle& triangle) {
-  const Place2 corner = axes.place(triangle.corner.x, triangle.corner.y),
-               along_x = axes.place(triangle.along_x.x, triangle.along_x.y),
-               along_y = axes.place(triangle.along_y.x, triangle.along_y.y);
+  const PixelPosition corner = axes.place(triangle.corner.x, triangle.corner.y),
+                      along_x = axes.place(triangle.along_x.x, triangle.along_x.y),
+                      along_y = axes.place(triangle.along_y.x, triangle.along_y.y);
   const Colour grey{0.4, 0.4, 0.4};
   canvas.fill({corner, along_x, along_y}, {0.92, 0.92, 0.92});
   canvas.line({corner, along_x, along_y, corner}, 1, grey);

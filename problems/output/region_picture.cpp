@@ -35,9 +35,9 @@ void paint_grid(Canvas& canvas, int left, int top, const RegionPicture& picture)
   };
   if (picture.grid_x.empty() || picture.grid_y.empty()) return;
   const auto at = [&](double x, double y) {
-    const Place2 place = window.place({x, y, 0});
-    return Place2{std::clamp(left + place.x, double(left), double(left + window.width)),
-                  std::clamp(top + place.y, double(top), double(top + window.height))};
+    const PixelPosition place = window.place({x, y, 0});
+    return PixelPosition{std::clamp(left + place.x, double(left), double(left + window.width)),
+                         std::clamp(top + place.y, double(top), double(top + window.height))};
   };
   if (is_open(picture.grid_x))
     for (const double x : picture.grid_x)
@@ -100,7 +100,7 @@ void write_names(Canvas& canvas, int left, int top, const RegionPicture& picture
 
 constexpr double swatch = 1.4, row = 1.5;  // of the font size
 
-void draw_swatch(Canvas& canvas, const Place2& at, double font_size, const Colour& colour,
+void draw_swatch(Canvas& canvas, const PixelPosition& at, double font_size, const Colour& colour,
                  double height) {
   const double right = at.x + swatch * font_size, half = 0.5 * height;
   canvas.fill(

@@ -80,7 +80,7 @@ Line Camera::ray(double x, double y) const {
   return {eye, unit(sum(through, -1, eye))};
 }
 
-Place2 Camera::place(const Point& point) const {
+PixelPosition Camera::place(const Point& point) const {
   const auto [x, y] = view.project(point);
   return {middle_x + x / pixel_size, middle_y - y / pixel_size};
 }

@@ -46,7 +46,7 @@ struct Camera {
 
   /// The ray of length 1 per unit of its parameter through a place of the picture.
   Line ray(double x, double y) const;
-  Place2 place(const Point& point) const;
+  PixelPosition place(const Point& point) const;
 };
 
 }  // namespace rfm

@@ -23,8 +23,8 @@ void draw_grid_box(Canvas& canvas, double left, double top, const Camera& camera
   const Box& box = grid.box();
   const Point eye = camera.view.eye();
   const auto place = [&](const Point& point) {
-    const Place2 at = camera.place(point);
-    return Place2{left + at.x, top + at.y};
+    const PixelPosition at = camera.place(point);
+    return PixelPosition{left + at.x, top + at.y};
   };
   for (int axis = 0; axis < 3; ++axis) {
     // The face is seen from inside where the eye is on the inner side of its plane.
@@ -38,13 +38,13 @@ void draw_grid_box(Canvas& canvas, double left, double top, const Camera& camera
       point[second] = b;
       return place(point);
     };
-    const Place2 corners[5] = {
+    const PixelPosition corners[5] = {
         on_face(box.low[first], box.low[second]), on_face(box.high[first], box.low[second]),
         on_face(box.high[first], box.high[second]), on_face(box.low[first], box.high[second]),
         on_face(box.low[first], box.low[second])};
     canvas.fill(std::span(corners, 4), face_colour);
     const auto lines = [&](int along, int across) {
-      const Place2 &a = corners[0], &b = corners[along == first ? 1 : 3];
+      const PixelPosition &a = corners[0], &b = corners[along == first ? 1 : 3];
       const int step = stride(grid.cells(along), std::hypot(b.x - a.x, b.y - a.y));
       for (int i = step; i < grid.cells(along); i += step) {
         Point from = corner, to = corner;

@@ -16,8 +16,8 @@ struct NumberedPixels {
 /// A pixel of a number that is as far as can be from pixels of other numbers and from the sides of
 /// the picture: where there is most room for its name.
 struct VisiblePlace {
-  Place2 place;       ///< the middle of the pixel
-  double radius = 0;  ///< of the diamond |dx| + |dy| < radius around it that has the same number
+  PixelPosition place;  ///< the middle of the pixel
+  double radius = 0;    ///< of the diamond |dx| + |dy| < radius around it that has the same number
 };
 
 /// For each number 0 … count − 1 its place; nothing for numbers without pixels. Of equal places the

@@ -22,7 +22,7 @@ TEST(LabelPlaces, NamesHideNeitherCurvesNorEachOtherAndStandNextToTheirs) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> size(30, 110);
   LabelPlaces places(1000, 500);
-  std::vector<std::vector<Place2>> pixels(10);
+  std::vector<std::vector<PixelPosition>> pixels(10);
   for (int c = 0; c < 10; ++c)
     for (double angle = 0; angle < 6.28; angle += 0.01) {
       const int x = static_cast<int>(100 + 200 * (c % 5) + 50 * std::cos(angle)),
@@ -46,7 +46,7 @@ TEST(LabelPlaces, NamesHideNeitherCurvesNorEachOtherAndStandNextToTheirs) {
       }
     double own = INFINITY, others = INFINITY;  // distances from the name's rectangle
     for (int c = 0; c < 10; ++c)
-      for (const Place2& pixel : pixels[c]) {
+      for (const PixelPosition& pixel : pixels[c]) {
         const double dx = std::max({name.where.left - pixel.x, pixel.x - name.where.right(), 0.0});
         const double dy = std::max({name.where.top - pixel.y, pixel.y - name.where.bottom(), 0.0});
         double& least = c == name.curve ? own : others;

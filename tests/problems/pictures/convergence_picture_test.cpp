@@ -21,8 +21,8 @@ std::vector<ConvergenceRow> study(double order) {
 }
 
 // Centres of the pixels with exactly the colour of a curve, which its line and markers have inside.
-std::vector<Place2> ink(const Image& image, const Colour& colour) {
-  std::vector<Place2> pixels;
+std::vector<PixelPosition> ink(const Image& image, const Colour& colour) {
+  std::vector<PixelPosition> pixels;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
       const Colour found = image.pixel(x, y);
@@ -39,10 +39,10 @@ TEST(ConvergencePicture, PowersOfTheCellsAreStraightLinesInProportionToTheirOrde
   EXPECT_EQ(image.width(), 900);
   const auto slope = [&](int curve) {
     // The line alone: pixels between the first and the last marker, without text at the right.
-    std::vector<Place2> pixels = ink(image, distinct_colour(curve));
-    std::erase_if(pixels, [](const Place2& p) { return p.x > 600; });
+    std::vector<PixelPosition> pixels = ink(image, distinct_colour(curve));
+    std::erase_if(pixels, [](const PixelPosition& p) { return p.x > 600; });
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (const Place2& p : pixels) {
+    for (const PixelPosition& p : pixels) {
       sx += p.x;
       sy += p.y;
       sxx += p.x * p.x;

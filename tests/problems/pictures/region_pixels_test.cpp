@@ -34,7 +34,7 @@ TEST(PixelWindow, MapsPixelsAndPlaneOntoEachOther) {
   EXPECT_NEAR(window.left, 0, 1e-12);
   EXPECT_NEAR(window.top, 3.5, 1e-12);  // centred on the box
   const Point centre = window.centre(7, 11);
-  const Place2 place = window.place(centre);
+  const PixelPosition place = window.place(centre);
   EXPECT_NEAR(place.x, 7.5, 1e-9);
   EXPECT_NEAR(place.y, 11.5, 1e-9);
 }
