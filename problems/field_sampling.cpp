@@ -70,11 +70,11 @@ MergedMesh merge_vertices(const Tessellation& tessellation) {
 
 }  // namespace
 
-FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>& fields,
-                 int dimension) {
-  MergedMesh merged = merge_vertices(tessellation);
-  FieldMesh& mesh = merged.mesh;
-  const int count = static_cast<int>(mesh.points.size());
+std::vector<FieldMesh::PointData> sample_at(const std::vector<Point>& points,
+                                            const std::vector<Point>& inside,
+                                            const std::vector<NamedField>& fields, int dimension) {
+  std::vector<FieldMesh::PointData> all;
+  const int count = static_cast<int>(points.size());
   std::vector<Field> roots;
   struct Target {
     int data, component;
@@ -84,11 +84,11 @@ FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>
     const int components = static_cast<int>(field.components.size());
     for (int c = 0; c < components; ++c) {
       roots.push_back(field.components[c]);
-      targets.push_back({static_cast<int>(mesh.data.size()), c});
+      targets.push_back({static_cast<int>(all.size()), c});
     }
     // ParaView draws vectors of three components.
     const int stored = components == 2 ? 3 : components;
-    mesh.data.push_back({field.name, stored, std::vector<double>(std::size_t(count) * stored)});
+    all.push_back({field.name, stored, std::vector<double>(std::size_t(count) * stored)});
   }
   const Tape tape(roots, {0}, dimension);
   constexpr int block = Tape::block_size;
@@ -99,17 +99,15 @@ FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>
         for (int b = blocks.begin(); b < blocks.end(); ++b) {
           const int begin = b * block, size = std::min(block, count - begin);
           for (int i = 0; i < size; ++i)
-            for (int axis = 0; axis < 3; ++axis)
-              coordinates[axis][i] = mesh.points[begin + i][axis];
+            for (int axis = 0; axis < 3; ++axis) coordinates[axis][i] = points[begin + i][axis];
           tape.evaluate(
               {{coordinates[0].data(), coordinates[1].data(), coordinates[2].data()}, size},
               workspace);
           for (std::size_t r = 0; r < roots.size(); ++r) {
-            FieldMesh::PointData& data = mesh.data[targets[r].data];
+            FieldMesh::PointData& data = all[targets[r].data];
             for (int i = 0; i < size; ++i) {
               double value = workspace.coefficient(static_cast<int>(r))[i];
-              if (!std::isfinite(value))
-                value = tape.value(merged.inside[begin + i], static_cast<int>(r));
+              if (!std::isfinite(value)) value = tape.value(inside[begin + i], static_cast<int>(r));
               if (!std::isfinite(value))
                 throw ComputationError("'" + data.name + "' is not a finite number at (" +
                                        std::to_string(coordinates[0][i]) + ", " +
@@ -119,6 +117,13 @@ FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>
           }
         }
       });
+  return all;
+}
+
+FieldMesh sample(const Tessellation& tessellation, const std::vector<NamedField>& fields,
+                 int dimension) {
+  MergedMesh merged = merge_vertices(tessellation);
+  merged.mesh.data = sample_at(merged.mesh.points, merged.inside, fields, dimension);
   return std::move(merged.mesh);
 }
 

@@ -5,14 +5,12 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "core/r_functions.hpp"
-#include "problems/field_sampling.hpp"
 #include "problems/output/vtu_file.hpp"
 #include "problems/pictures/write_pictures.hpp"
 #include "problems/reader.hpp"
 #include "problems/resolved_document.hpp"
 #include "problems/result_folder.hpp"
-#include "problems/result_scope.hpp"
+#include "problems/result_meshes.hpp"
 #include "problems/stopwatch.hpp"
 #include "problems/summary.hpp"
 #include "solvers/integrate.hpp"
@@ -57,15 +55,17 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
            solution.linear.relative_residual, solution.boundary_residual, solution.energy);
   double largest_datum = 0;
   for (const PieceCondition& condition : problem.dirichlet().weakly)
-    largest_datum = std::max(largest_datum,
-                             maximum(condition.data[0], solution.rule,
-                                     {Contribution::Place::boundary, {condition.primitive}}));
+    largest_datum =
+        std::max(largest_datum, maximum(condition.data[0], solution.rule,
+                                        {Contribution::Place::boundary, {condition.primitive}}));
   if (!problem.dirichlet().weakly.empty() &&
       solution.boundary_residual > 1e-2 * std::max(largest_datum, 1e-300))
-    log.line("note: values enforced weakly are missed by up to {:.2g}: the grid is too coarse there",
-             solution.boundary_residual);
+    log.line(
+        "note: values enforced weakly are missed by up to {:.2g}: the grid is too coarse there",
+        solution.boundary_residual);
   if (solution.linear.method == LinearSolution::Method::ldlt && problem.dirichlet().weakly.empty())
-    log.line("note: the energy is not positive definite (a negative coefficient?); u is stationary");
+    log.line(
+        "note: the energy is not positive definite (a negative coefficient?); u is stationary");
   if (solution.linear.dropped > 0)
     log.line("note: {} splines without support were dropped", solution.linear.dropped);
 }
@@ -154,33 +154,6 @@ void check_expectations(RunReport& report, const Problem& problem,
   }
 }
 
-std::vector<NamedField> output_fields(const ScalarProblem& problem,
-                                      const ScalarSolution& solution) {
-  const Problem& file = problem.problem();
-  ExpressionScope scope = file.scope;
-  define_results(scope, {solution.u, solution.flux, file.dimension});
-  std::vector<std::string> names{"u", "gradient"};
-  for (const std::string& name : file.outputs.fields)
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  std::vector<NamedField> fields;
-  for (const std::string& name : names)
-    fields.push_back({name, evaluate(Expression(name), scope).components});
-  fields.push_back({"omega", {implicit(problem.region().region())}});
-  return fields;
-}
-
-FieldMesh sampled_fields(const ScalarProblem& problem, const Grid& grid,
-                         const ScalarSolution& solution) {
-  int most_cells = 1;
-  for (int axis = 0; axis < grid.dimension(); ++axis)
-    most_cells = std::max(most_cells, grid.cells(axis));
-  TessellationOptions options;
-  options.subdivisions =
-      std::max(1, (problem.problem().outputs.resolution + most_cells - 1) / most_cells);
-  return sample(tessellate(problem.region(), grid, options), output_fields(problem, solution),
-                grid.dimension());
-}
-
 }  // namespace
 
 int run_problem(const std::string& file, const RunOptions& options) {
@@ -226,8 +199,11 @@ int run_problem(const std::string& file, const RunOptions& options) {
   const Stopwatch output;
   ResultFolder folder(options.output);
   const std::string name = std::filesystem::path(file).stem().string();
-  const FieldMesh mesh = sampled_fields(scalar, grid, solution);
-  folder.write(name + ".vtu", [&](const std::string& path) { write_vtu(mesh, path); });
+  const ResultMeshes meshes = result_meshes(scalar, grid, solution);
+  folder.write(name + ".vtu", [&](const std::string& path) { write_vtu(meshes.volume, path); });
+  if (meshes.boundary.cell_count() > 0)
+    folder.write(name + ".boundary.vtu",
+                 [&](const std::string& path) { write_vtu(meshes.boundary, path); });
   if (options.picture || problem.outputs.picture)
     write_pictures(folder, name, scalar, solution, report.convergence, log);
   if (const std::string csv = probes_csv(report.probes); !csv.empty())
