@@ -196,10 +196,14 @@ void ScalarProblem::check_compatible(const DomainRule& rule) const {
 // ½ ∫ (∇u·K∇u + reaction u²): the whole function that u makes stationary, which the system of
 // equations knows, less its other parts. They take derivatives on the boundary only, while those in
 // the volume would cost half as much as assembly.
-double ScalarProblem::stored_energy(double whole, const std::vector<Contribution>& parts,
+double ScalarProblem::stored_energy(const LinearSystem& system,
+                                    const std::vector<Contribution>& parts,
                                     const ScalarSolution& solution) const {
-  double energy = whole;
-  if (!coefficients_.source.is_constant(0))
+  const Eigen::VectorXd& coefficients = solution.linear.coefficients;
+  double energy = system.energy(coefficients);
+  if (parts.size() == 1 && plan_.data.is_constant(0))
+    energy += system.right_hand_side.dot(coefficients);  // the load of the source, and no other
+  else if (!coefficients_.source.is_constant(0))
     energy += integrate(coefficients_.source * solution.u, solution.rule);
   for (const Contribution& part : parts)
     if (part.place != Contribution::Place::volume)
@@ -238,7 +242,7 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
         fmt::format("the system of equations could not be solved (relative residual {:.1e})",
                     solution.linear.relative_residual));
   solution.u = solution_fields(structures, spaces, solution.linear.coefficients)[0];
-  solution.energy = stored_energy(system.energy(solution.linear.coefficients), parts, solution);
+  solution.energy = stored_energy(system, parts, solution);
   if (free_constant) {
     solution.u = solution.u - integrate(solution.u, solution.rule) / solution.rule.measure();
     solution.mean_set_to_zero = true;

@@ -72,7 +72,7 @@ class ScalarProblem {
   void check_within_grid(const DomainRule& rule) const;
   void check_no_robin() const;
   void check_compatible(const DomainRule& rule) const;
-  double stored_energy(double whole, const std::vector<Contribution>& parts,
+  double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
                        const ScalarSolution& solution) const;
 
   const Problem& problem_;

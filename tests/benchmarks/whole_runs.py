@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 VERIFICATION = HERE.parent / "verification"
 
 CIRCLES = "outer_circle*inner_circle*exp(x)*cos(2*y)"
-ANNULUS = {"fields.exact": CIRCLES, "discretization.basis": "{bspline: 5, cells: 28}"}
+ANNULUS = {"fields.exact": CIRCLES, "discretization.basis": "{bspline: 5, cells: 22}"}
 BALLS = {"discretization.basis": "{bspline: 2, cells: 15}"}
 FINE_BALLS = {"discretization.basis": "{bspline: 3, cells: 20}"}
 
