@@ -30,6 +30,22 @@ geometry: {shapes: {bar: {box: {min: [0], max: [2]}}}, domain: bar}
 physics: {type: poisson, source: 1}
 conditions: [{at: bar.left, value: 0}, {at: bar.right, flux: 0}]
 """
+BRACKET = """
+dimension: 2
+geometry:
+  shapes:
+    plate: {box: {min: [0, 0], max: [3, 1.6]}}
+    notch: {box: {min: [1.2, 1.1], max: [1.9, 2]}}
+    hole: {circle: {center: [0.6, 0.8], radius: 0.3}}
+  domain: plate - notch - hole
+regions:
+  warm: {of: hole, where: "y - 0.8"}
+physics: {type: heat, conductivity: 45}
+conditions:
+  - {at: plate.bottom, value: 350}
+  - {at: warm, flux: 3}
+  - {at: rest, flux: 0}
+"""
 EXACT = """
 verify:
   exact: {u: "1 + log(2*hypot(x - 3, y - 1)) / log(2)"}
@@ -67,6 +83,17 @@ def ring_area(picture):
     rows = [y for y in range(picture.height)
             if any(picture.is_coloured(x, y) for x in range(first, end))]
     return end - first, rows[-1] - rows[0] + 1, sum(columns[first:end])
+
+
+def strong_colours(picture, columns):
+    """Colours other than grey and pale that fill sixty pixels or more."""
+    count = {}
+    for y in range(picture.height):
+        for x in columns:
+            colour = picture.pixel(x, y)
+            if max(colour) - min(colour) > 60:
+                count[colour] = count.get(colour, 0) + 1
+    return {colour for colour, pixels in count.items() if pixels >= 60}
 
 
 def check_ring(runs):
@@ -138,6 +165,14 @@ def check_check(runs):
     colours = {picture.pixel(x, y) for y in range(picture.height) for x in range(picture.width)}
     for wanted in ((0, 115, 179), (214, 94, 0)):  # the two pieces
         assert wanted in colours, f"no pixel has the colour {wanted}"
+    # Nine parts of a boundary, two of them halves of one circle, each in a colour of its own: what
+    # the legend shows at the right is drawn at the left.
+    names, out, _ = runs.run(BRACKET, "--picture", check=True)
+    picture = Picture(out / "case.check.png")
+    legend = strong_colours(picture, range(int(0.74 * picture.width), picture.width))
+    drawn = strong_colours(picture, range(0, int(0.7 * picture.width)))
+    assert len(legend) == 9, f"the legend has {len(legend)} colours: {legend}"
+    assert legend <= drawn, f"{legend - drawn} are not drawn"
     names, out, _ = runs.run(BAR, "--picture", check=True, width=400)
     assert names == ["case.check.png"] and Picture(out / "case.check.png").width == 400
     names, _, _ = runs.run(RING, check=True)
