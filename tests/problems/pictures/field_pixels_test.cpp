@@ -66,6 +66,22 @@ TEST(FieldPixels, AreDefinedOnTheBoundaryOfAFieldThatEndsThere) {
   }
 }
 
+TEST(FieldPixels, TakeANeighboursValueWhereTheBoundaryHasNone) {
+  // √(r² − x² − y²) ends on the circle itself: pixels whose centres lie outside have no value.
+  const Field u = sqrt(0.81 - pow(x_coordinate(), 2) - pow(y_coordinate(), 2));
+  const FieldPicture picture = sampled({u}, circle({0, 0}, 0.9).named("disk"));
+  int mended = 0;
+  for (std::size_t i = 0; i < picture.value.size(); ++i) {
+    if (picture.region.covered(i) <= 0) continue;
+    EXPECT_TRUE(std::isfinite(picture.value[i]));
+    if (picture.region.distance[i] < 0) {
+      ++mended;
+      EXPECT_LT(picture.value[i], 0.2);  // at most √(2 · 0.9 · 3 pixels)
+    }
+  }
+  EXPECT_GT(mended, 500);
+}
+
 TEST(FieldPixels, KeepWhatHasNoValueAndRangesIgnoreIt) {
   const Field u = sqrt(x_coordinate());
   const FieldPicture picture = sampled({u}, circle({0, 0}, 0.9).named("disk"));
