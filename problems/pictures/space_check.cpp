@@ -77,7 +77,8 @@ NumberedPixels numbered(const SceneSamples& scene, const ConditionFinder& condit
   return pixels;
 }
 
-// Names stand where a piece has most room: in each view where they fit, at least in the best one.
+// Names stand where a piece has most room: in each view where they fit and hide no other name, at
+// least in the best one.
 void write_names(Canvas& canvas, const std::vector<RegionPicture::Piece>& pieces,
                  const std::vector<Panel>& panels, const ConditionFinder& condition_at,
                  const std::vector<PixelRectangle>& rooms, double font) {
@@ -86,39 +87,70 @@ void write_names(Canvas& canvas, const std::vector<RegionPicture::Piece>& pieces
   for (const Panel& panel : panels)
     places.push_back(visible_places(numbered(panel.scene.samples(), condition_at), count));
   const double size = 0.9 * font;
-  for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-    double best = 0;
-    for (const auto& in_panel : places)
-      if (in_panel[piece]) best = std::max(best, in_panel[piece]->radius);
-    const double fits = std::min(best, 0.5 * text_extent(pieces[piece].name, size).width);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (const auto& place = places[i][piece]; place && place->radius >= fits)
-        canvas.text(pieces[piece].name,
-                    {rooms[i].left + place->place.x, rooms[i].top + place->place.y},
-                    {.size = size, .horizontal = Align::centre, .halo = 0.15 * font});
-  }
+  std::vector<PixelRectangle> taken;
+  const auto write = [&](std::size_t piece, std::size_t panel, bool must) {
+    const auto& place = places[panel][piece];
+    if (!place) return;
+    const TextExtent text = text_extent(pieces[piece].name, size);
+    const double x = rooms[panel].left + place->place.x, y = rooms[panel].top + place->place.y;
+    const PixelRectangle rectangle{x - 0.5 * text.width, y - 0.5 * size, double(text.width), size};
+    const bool hides_another = std::ranges::any_of(taken, [&](const PixelRectangle& other) {
+      return rectangle.left < other.right() && other.left < rectangle.right() &&
+             rectangle.top < other.bottom() && other.top < rectangle.bottom();
+    });
+    if (hides_another || (!must && place->radius < 0.5 * text.width)) return;
+    taken.push_back(rectangle);
+    canvas.text(pieces[piece].name, {x, y},
+                {.size = size, .horizontal = Align::centre, .halo = 0.15 * font});
+  };
+  std::vector<std::size_t> best(pieces.size(), 0);
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (std::size_t panel = 1; panel < panels.size(); ++panel)
+      if (places[panel][piece] &&
+          (!places[best[piece]][piece] ||
+           places[panel][piece]->radius > places[best[piece]][piece]->radius))
+        best[piece] = panel;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece) write(piece, best[piece], true);
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (std::size_t panel = 0; panel < panels.size(); ++panel)
+      if (panel != best[piece]) write(piece, panel, false);
 }
 
-void list_pieces(Canvas& canvas, const PixelRectangle& room,
-                 const std::vector<RegionPicture::Piece>& pieces, double font) {
-  const double row = 1.5 * font, side = 0.8 * font;
-  const std::size_t rows = static_cast<std::size_t>(std::max(1.0, room.height / row));
-  const std::size_t shown = pieces.size() <= rows ? pieces.size() : rows - 1;
-  double y = room.top + 0.5 * row;
-  for (std::size_t i = 0; i < shown; ++i, y += row) {
-    canvas.fill({{room.left, y - 0.5 * side},
-                 {room.left + side, y - 0.5 * side},
-                 {room.left + side, y + 0.5 * side},
-                 {room.left, y + 0.5 * side}},
-                mixed(pieces[i].colour, white, paleness));
-    const double left = room.left + 1.5 * side;
-    canvas.text(fitted(pieces[i].description, font, room.right() - left), {left, y},
-                {.size = font});
+// The pieces beside their colours, in as many columns as fit.
+struct PieceList {
+  PieceList(const std::vector<RegionPicture::Piece>& pieces, double width, double font)
+      : font(font) {
+    for (const auto& piece : pieces)
+      column_width =
+          std::max(column_width, text_extent(piece.description, font).width + 3.0 * font);
+    columns = std::clamp(static_cast<int>(width / column_width), 1,
+                         std::max(1, static_cast<int>(pieces.size())));
+    column_width = std::min(column_width, width);
+    rows = (static_cast<int>(pieces.size()) + columns - 1) / columns;
   }
-  if (shown < pieces.size())
-    canvas.text("and " + std::to_string(pieces.size() - shown) + " more", {room.left, y},
-                {.size = font});
-}
+  double height() const { return 1.5 * font * rows; }
+
+  void draw(Canvas& canvas, const std::vector<RegionPicture::Piece>& pieces, double left,
+            double top) const {
+    const double side = 0.8 * font;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const int number = static_cast<int>(i);
+      const double x = left + column_width * (number / rows);
+      const double y = top + 1.5 * font * (number % rows + 0.5);
+      canvas.fill({{x, y - 0.5 * side},
+                   {x + side, y - 0.5 * side},
+                   {x + side, y + 0.5 * side},
+                   {x, y + 0.5 * side}},
+                  mixed(pieces[i].colour, white, paleness));
+      canvas.text(fitted(pieces[i].description, font, column_width - 2.5 * side),
+                  {x + 1.5 * side, y}, {.size = font});
+    }
+  }
+
+  double font;
+  double column_width = 0;
+  int columns = 1, rows = 0;
+};
 
 }  // namespace
 
@@ -139,14 +171,12 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
         {condition.name, description(condition), distinct_colour(static_cast<int>(pieces.size()))});
 
   const double font = label_size(width);
-  const double legend_room = std::min(0.35 * width, legend_width(pieces, font));
+  const PieceList list(pieces, width - 2 * font, font);
   PictureRequest request;
   request.width = width;
   request.title = shown_title(problem.problem());
   request.aspect = arrangement.aspect;
-  request.right_margin = legend_room + font;
-  constexpr int most_rows = 30;
-  request.least_height = 1.5 * font * (std::min(most_rows, static_cast<int>(pieces.size())) + 1);
+  request.bottom_margin = list.height() + font;
   const PictureLayout layout = picture_layout(request);
 
   const ConditionFinder condition_at(problem);
@@ -177,10 +207,7 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
   }
   write_names(canvas, pieces, panels, condition_at, rooms, font);
   draw_frame(canvas, layout, request);
-  list_pieces(canvas,
-              {layout.shown.right() + 1.2 * font, layout.shown.top, legend_room,
-               canvas.height() - layout.shown.top - font},
-              pieces, font);
+  list.draw(canvas, pieces, font, canvas.height() - list.height() - font);
   return canvas.image();
 }
 
