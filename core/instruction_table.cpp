@@ -93,6 +93,10 @@ int InstructionTable::simplified(Instruction& instruction) const {
   // Sums and products with a constant need no jet for the constant.
   const auto scale = [&](double factor, int operand) {
     if (factor == 1) return operand;
+    if (factor == 0) {
+      instruction = Instruction();
+      return -1;
+    }
     return factor == -1 ? become(Operation::negate, operand)
                         : become(Operation::scale, operand, -1, factor);
   };

@@ -53,16 +53,31 @@ Tape::Tape(std::vector<Field> roots, std::vector<int> orders, int dimension)
   program_ = compile(roots_, orders_, dimension_);
 }
 
+Tape::Tape(const Tape& general, const Box& box)
+    : roots_(general.roots_), orders_(general.orders_), dimension_(general.dimension_) {
+  program_ = rfm::specialised(*general.program_, orders_, dimension_, box);
+}
+
+Tape Tape::specialised(const Box& box) const { return Tape(*this, box); }
+
 Tape::~Tape() = default;
 Tape::Tape(Tape&&) noexcept = default;
 Tape& Tape::operator=(Tape&&) noexcept = default;
 
 int Tape::instruction_count() const { return static_cast<int>(program_->instructions.size()); }
 
-int Tape::step_count() const { return static_cast<int>(program_->steps.size()); }
+const Tape::Program& Tape::with_steps() const {
+  std::call_once(program_->has_steps, [this] {
+    // Nobody reads the steps before this is done.
+    lower(const_cast<Program&>(*program_), orders_, dimension_);
+  });
+  return *program_;
+}
+
+int Tape::step_count() const { return static_cast<int>(with_steps().steps.size()); }
 
 Tape::Workspace::Workspace(const Tape& tape)
-    : storage_(static_cast<std::size_t>(tape.program_->varying_size) +
+    : storage_(static_cast<std::size_t>(tape.with_steps().varying_size) +
                tape.program_->constant_parts.size() + 8),
       data_(aligned(storage_.data())),
       root_offset_(tape.program_->root_offsets) {

@@ -61,6 +61,15 @@ class Tape {
   double value_and_gradient(const Point& point, Point& gradient, int root = 0,
                             double time = 0) const;
 
+  /// The same functions for points and boxes within `box`, whatever time and parameters are,
+  /// without what bounds of the values over the box decide: the branch of a min, max or select that
+  /// is not taken, |a| and the sign of an argument of one sign, comparisons and floors that are
+  /// constant. Where the compared are equal up to rounding, the result is either of the branches. A
+  /// cell of a grid sees a few of a thousand shapes that min and max join; specialise again for its
+  /// parts. R₀-functions and Rα-functions for α < 1 have no branches: every argument counts
+  /// everywhere.
+  Tape specialised(const Box& box) const;
+
   int dimension() const { return dimension_; }
   int root_count() const { return static_cast<int>(roots_.size()); }
   int order(int root) const { return orders_[root]; }
@@ -73,6 +82,9 @@ class Tape {
   struct Program;
 
  private:
+  Tape(const Tape& general, const Box& box);
+  const Program& with_steps() const;
+
   std::vector<Field> roots_;
   std::vector<int> orders_;
   int dimension_;

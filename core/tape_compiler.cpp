@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/instruction_table.hpp"
 #include "core/tape_program.hpp"
+#include "core/tape_specialization.hpp"
 
 namespace rfm {
 namespace {
@@ -96,17 +97,12 @@ void remove_unused(std::vector<Instruction>& code, std::vector<int>& roots) {
   for (int& root : roots) root = place[root];
 }
 
-}  // namespace
-
-std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
-                                             const std::vector<int>& orders, int dimension) {
-  Compiler compiler(dimension);
-  auto program = std::make_unique<Tape::Program>();
-  for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
-  std::vector<Instruction>& code = program->instructions = std::move(compiler.table).take();
+// Instructions are complete: leaves out the useless ones and finds orders.
+std::unique_ptr<const Tape::Program> finished(std::unique_ptr<Tape::Program> program,
+                                              const std::vector<int>& orders, int dimension) {
+  std::vector<Instruction>& code = program->instructions;
   remove_unused(code, program->root_instructions);
-
-  for (std::size_t i = 0; i < roots.size(); ++i) {
+  for (std::size_t i = 0; i < orders.size(); ++i) {
     Instruction& root = code[program->root_instructions[i]];
     root.order = std::max(root.order, orders[i]);
   }
@@ -123,8 +119,32 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
                           " are needed, but in " + std::to_string(dimension) +
                           "D only orders up to " +
                           std::to_string(highest_compiled_order(dimension)) + " are available");
-  lower(*program, orders, dimension);
   return program;
+}
+
+}  // namespace
+
+std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
+                                             const std::vector<int>& orders, int dimension) {
+  Compiler compiler(dimension);
+  auto program = std::make_unique<Tape::Program>();
+  for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
+  program->instructions = std::move(compiler.table).take();
+  return finished(std::move(program), orders, dimension);
+}
+
+std::unique_ptr<const Tape::Program> specialised(const Tape::Program& original,
+                                                 const std::vector<int>& orders, int dimension,
+                                                 const Box& box) {
+  InstructionTable table;
+  const std::vector<int> place =
+      pruned(original.instructions, ranges_over(original.instructions, box),
+             original.root_instructions, table);
+  auto program = std::make_unique<Tape::Program>();
+  for (const int root : original.root_instructions)
+    program->root_instructions.push_back(place[root]);
+  program->instructions = std::move(table).take();
+  return finished(std::move(program), orders, dimension);
 }
 
 }  // namespace rfm

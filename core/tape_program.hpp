@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/tape.hpp"
@@ -19,12 +20,14 @@ struct Instruction {
   std::shared_ptr<const FieldSource> source;
 };
 
-/// A compiled tape: instructions, one per operation, and the steps for blocks made from them.
+/// A compiled tape: instructions, one per operation, and the steps for blocks, which are made from
+/// them when they are first needed: many tapes serve single points and bounds alone.
 struct Tape::Program {
   std::vector<Instruction> instructions;
   std::vector<int> root_instructions;
   int highest_order = 0;
 
+  mutable std::once_flag has_steps;
   std::vector<Step> steps;
   std::vector<double> step_constants;  ///< what `Step::constants` points into
   std::vector<int> root_offsets;       ///< of the dense results
@@ -67,10 +70,15 @@ struct SinglePoint {
                            const Interval& range, double time);
 };
 
-/// Hash-conses the graphs of `roots`, finds the order that each node needs, and makes the steps.
+/// Hash-conses the graphs of `roots`, and finds the order that each node needs.
 /// Throws `InvalidArgument` where a higher order than the compiled ones is needed.
 std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
                                              const std::vector<int>& orders, int dimension);
+
+/// The same without the branches that are not taken over a box (Tape::specialised).
+std::unique_ptr<const Tape::Program> specialised(const Tape::Program& original,
+                                                 const std::vector<int>& orders, int dimension,
+                                                 const Box& box);
 
 /// Makes the steps for blocks from the instructions, whose orders are known (tape_lowering.cpp).
 void lower(Tape::Program& program, const std::vector<int>& orders, int dimension);

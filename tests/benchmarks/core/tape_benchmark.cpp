@@ -95,6 +95,7 @@ void compile(benchmark::State& state, const Field& field, int order) {
   for (auto _ : state) {
     const Tape tape({field}, {order}, 3);
     instructions = tape.instruction_count();
+    benchmark::DoNotOptimize(tape.step_count());
   }
   state.counters["nodes"] = node_count(field);
   state.counters["instructions"] = instructions;
