@@ -29,7 +29,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"discretization", map_value, standard("{}"), "How the solution is approximated."},
     {"discretization.basis", map_value, standard("{}"), "The functions that approximate it."},
     {"discretization.basis.bspline", integer_value, Presence{Presence::Kind::alternative, "3", {}},
-     "B-splines of this degree.", works, between(1, 9)},
+     "B-splines of this degree.", works, between(1, 8)},
     {"discretization.basis.chebyshev", integer_value, alternative,
      "Chebyshev polynomials up to this degree.", later, at_least(0)},
     {"discretization.basis.legendre", integer_value, alternative,
