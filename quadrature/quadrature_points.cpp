@@ -41,11 +41,6 @@ Point SurfacePoints::point(int i) const { return gather(coordinates, i); }
 
 Point SurfacePoints::normal(int i) const { return gather(normals, i); }
 
-void VolumePoints::reserve(int dimension, int size) {
-  for (int axis = 0; axis < dimension; ++axis) coordinates[axis].reserve(size);
-  weights.reserve(size);
-}
-
 void SurfacePoints::add(int dimension, const Point& point, const Point& normal, double weight,
                         int number) {
   for (int axis = 0; axis < dimension; ++axis) {

@@ -18,7 +18,6 @@ struct VolumePoints {
   void append(const VolumePoints& other);
   void clear();
   void resize(int size);
-  void reserve(int dimension, int size);
 };
 
 /// Points on pieces of the boundary or on interfaces.
