@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "core/box.hpp"
+#include "core/multi_index.hpp"
 
 namespace rfm {
 
-/// Bounds of a function and its gradient over a box. `smooth` is false where the function may fail
-/// to be differentiable somewhere in the box.
+/// Bounds of a function and its gradient over a box, in up to four variables. `smooth` is false
+/// where the function may fail to be differentiable somewhere in the box.
 struct FunctionBounds {
   Interval value;
-  std::array<Interval, 3> gradient{};
+  std::array<Interval, maximum_variables> gradient{};
   bool smooth = true;
 };
 

@@ -30,10 +30,14 @@ namespace rfm {
 /// Where a function is not differentiable (√ and |·| at 0, the corner of an R-function) its
 /// derivatives are finite by convention: singular coefficients are 0. Where it is undefined
 /// (√ of a negative number) the result is NaN.
+///
+/// Numbers of variables and orders beyond those compiled into tapes have `DynamicJet`
+/// (core/dynamic_jet.hpp), to which the same rules apply.
 template <class T, int N, int K>
 struct Jet {
-  static_assert(N >= 1 && N <= 4 && K >= 0);
+  static_assert(N >= 1 && N <= maximum_variables && K >= 0);
   static constexpr int size = jet_size(N, K);
+  static constexpr int order() { return K; }
   std::array<T, size> c{};
 
   Jet() {
@@ -80,32 +84,48 @@ constexpr auto jet_exponents() {
   return list;
 }
 
-/// A term of the product of two jets: coefficient `result` receives the product of the others.
-struct JetProductTerm {
-  std::uint8_t left, right, result;
-};
-
-template <int N, int K>
-constexpr auto jet_product_terms() {
-  std::array<JetProductTerm, jet_size(2 * N, K)> list{};
-  const auto exponents = jet_exponents<N, K>();
-  int count = 0;
-  for (int i = 0; i < jet_size(N, K); ++i)
-    for (int j = 0; j < jet_size(N, K); ++j)
-      if (degree(exponents[i]) + degree(exponents[j]) <= K)
-        list[count++] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
-                         static_cast<std::uint8_t>(jet_index(N, exponents[i] + exponents[j]))};
-  return list;
-}
-
-/// Multi-indices of a jet in order, and the terms of its product, computed at compile time.
+/// Multi-indices of a jet in order, computed at compile time.
 template <int N, int K>
 struct JetTables {
-  static constexpr int size = jet_size(N, K);
   static constexpr auto exponents = jet_exponents<N, K>();
-  static constexpr int product_terms = jet_size(2 * N, K);
-  static constexpr auto product = jet_product_terms<N, K>();
 };
+
+/// A term of the product of two jets: the coefficients that are multiplied.
+struct JetProductTerm {
+  std::uint8_t left, right;
+};
+
+/// The terms of which coefficient `result` of a product in N variables is the sum, by their left
+/// factors: the first has right = `result`, the last left = `result`. They do not depend on the
+/// order of the jets.
+template <int N, int result>
+constexpr auto jet_product_terms() {
+  constexpr auto exponents = jet_exponents<N, jet_degree(N, result)>();
+  constexpr MultiIndex total = exponents[result];
+  constexpr int count = (total[0] + 1) * (total[1] + 1) * (total[2] + 1) * (total[3] + 1);
+  std::array<JetProductTerm, count> terms{};
+  int place = 0;
+  for (int left = 0; left <= result; ++left)
+    if (divides(exponents[left], total))
+      terms[place++] = {static_cast<std::uint8_t>(left),
+                        static_cast<std::uint8_t>(jet_index(N, total - exponents[left]))};
+  return terms;
+}
+
+/// Coefficient `result` of the product of two jets; without its last term it is what the
+/// coefficients of `a` before `result` contribute.
+template <int N, int result, bool with_last, class T, std::size_t size>
+T convolution(const std::array<T, size>& a, const std::array<T, size>& b) {
+  static constexpr auto terms = jet_product_terms<N, result>();
+  // A value is rounded before it is used further, alike in every evaluator.
+  if constexpr (result == 0) return T(0.0) + a[0] * b[0];
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    T sum = a[0] * b[terms[0].right];
+    ((sum = sum + a[terms[i + 1].left] * b[terms[i + 1].right]), ...);
+    return sum;
+  }
+  (std::make_index_sequence<terms.size() - (with_last ? 1 : 2)>{});
+}
 
 template <class T, int N, int K>
 Jet<T, N, K> operator+(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
@@ -137,71 +157,79 @@ Jet<T, N, K> scaled(const T& factor, const Jet<T, N, K>& a) {
 
 template <class T, int N, int K>
 Jet<T, N, K> operator*(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  using Tables = JetTables<N, K>;
   Jet<T, N, K> product;
-  [&]<std::size_t... term>(std::index_sequence<term...>) {
-    ((product.c[Tables::product[term].result] =
-          product.c[Tables::product[term].result] +
-          a.c[Tables::product[term].left] * b.c[Tables::product[term].right]),
-     ...);
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    ((product.c[i] = convolution<N, i, true>(a.c, b.c)), ...);
   }
-  (std::make_index_sequence<Tables::product_terms>{});
+  (std::make_index_sequence<product.size>{});
   return product;
 }
 
-/// f(a), given the Taylor coefficients f^(k)(a₀)/k!, k = 0 … K, of f at the value of `a`.
-template <class T, int N, int K>
-Jet<T, N, K> compose(const Jet<T, N, K>& a, const std::array<T, K + 1>& taylor) {
-  if constexpr (K == 1) {  // the chain rule, spelled out for the commonest case
-    Jet<T, N, K> result;
-    result.c[0] = taylor[0];
-    for (int i = 1; i < result.size; ++i) result.c[i] = taylor[1] * a.c[i];
-    return result;
-  } else {
-    Jet<T, N, K> increment = a;
-    increment.c[0] = T(0.0);
-    Jet<T, N, K> result = Jet<T, N, K>::constant(taylor[K]);
-    for (int k = K - 1; k >= 0; --k) {
-      result = result * increment;
-      result.c[0] = taylor[k];
-    }
-    return result;
+/// `coefficient` less what the coefficients of `quotient` before `result` contribute to that
+/// coefficient of `quotient` · b.
+template <int N, int result, class T, std::size_t size>
+T remainder(T coefficient, const std::array<T, size>& quotient, const std::array<T, size>& b) {
+  static constexpr auto terms = jet_product_terms<N, result>();
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    ((coefficient = coefficient - quotient[terms[i].left] * b[terms[i].right]), ...);
   }
-}
-
-/// f(a) from f(a₀) and the jet of f′ in one variable at a₀ (to order K − 1).
-template <class T, int N, int K>
-Jet<T, N, K> compose_primitive(const Jet<T, N, K>& a, const T& value,
-                               const Jet<T, 1, (K > 0 ? K - 1 : 0)>& derivative) {
-  std::array<T, K + 1> taylor;
-  taylor[0] = value;
-  for (int k = 1; k <= K; ++k) taylor[k] = derivative.c[k - 1] * T(1.0 / k);
-  return compose(a, taylor);
+  (std::make_index_sequence<terms.size() - 1>{});
+  return coefficient;
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  // q b = a, solved coefficient by coefficient in ascending degree: no powers of 1/b.
-  using Tables = JetTables<N, K>;
+  // q b = a, solved coefficient by coefficient in ascending degree: no powers of 1/b. The value is
+  // rounded once, so that it does not depend on the order.
   Jet<T, N, K> quotient;
-  if constexpr (K == 0) {
-    quotient.c[0] = a.c[0] / b.c[0];
-  } else {
+  quotient.c[0] = a.c[0] / b.c[0];
+  if constexpr (K > 0) {
     const T inverse = T(1.0) / b.c[0];
-    Jet<T, N, K> rest = a;
-    int done = -1;
-    // Terms are sorted by their left factor, which is complete once all smaller ones are applied.
-    for (const auto& term : Tables::product) {
-      if (term.left != done) {
-        done = term.left;
-        // The value is rounded once, so that it does not depend on the order.
-        quotient.c[done] = done == 0 ? a.c[0] / b.c[0] : rest.c[done] * inverse;
-      }
-      if (term.right != 0)
-        rest.c[term.result] = rest.c[term.result] - quotient.c[term.left] * b.c[term.right];
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      ((quotient.c[i + 1] = remainder<N, i + 1>(a.c[i + 1], quotient.c, b.c) * inverse), ...);
     }
+    (std::make_index_sequence<quotient.size - 1>{});
   }
   return quotient;
+}
+
+/// The Taylor coefficients f^(k)(a₀)/k!, k = 0 … order, of a function of one variable.
+template <class T, int K>
+using TaylorSeries = std::array<T, (K == run_time ? maximum_order : K) + 1>;
+
+/// f(a), given the Taylor coefficients of f at the value of `a`, by Horner's rule. A sum that is
+/// still to be multiplied by the increment `a` − a₀ k times is needed to degree K − k only.
+template <class T, int N, int K>
+Jet<T, N, K> compose(const Jet<T, N, K>& a, const TaylorSeries<T, K>& taylor) {
+  Jet<T, N, K> result;
+  result.c[0] = taylor[K];
+  const auto multiply = [&]<int degree>() {
+    // Downwards, so that the coefficients of lower degree are still those of the factor.
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      constexpr int last = jet_size(N, degree) - 1;
+      ((result.c[last - i] = convolution<N, last - i, false>(result.c, a.c)), ...);
+    }
+    (std::make_index_sequence<jet_size(N, degree) - 1>{});
+    result.c[0] = taylor[K - degree];
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (multiply.template operator()<i + 1>(), ...); }
+  (std::make_index_sequence<K>{});
+  return result;
+}
+
+/// Coefficient `i` of a jet.
+template <class T, int N, int K>
+T coefficient(const Jet<T, N, K>& a, int i) {
+  return a.c[i];
+}
+
+/// f(a) from f(a₀) and the jet of f′ in one variable at a₀ (to order K − 1).
+template <class T, int N, int K>
+Jet<T, N, K> compose_primitive(const Jet<T, N, K>& a, const T& value, const auto& derivative) {
+  TaylorSeries<T, K> taylor;
+  taylor[0] = value;
+  for (int k = 1; k <= a.order(); ++k) taylor[k] = coefficient(derivative, k - 1) * T(1.0 / k);
+  return compose(a, taylor);
 }
 
 template <class T, int N, int K>
@@ -249,10 +277,10 @@ Jet<T, N, K> integer_power(const Jet<T, N, K>& a, int exponent) {
 template <class T, int N, int K>
 Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
   using rfm::power;
-  std::array<T, K + 1> taylor;
+  TaylorSeries<T, K> taylor;
   taylor[0] = power(a.c[0], exponent);
   double binomial = 1;
-  for (int k = 1; k <= K; ++k) {
+  for (int k = 1; k <= a.order(); ++k) {
     binomial *= (exponent - k + 1) / k;
     const T singular = T(binomial) * power(a.c[0], exponent - k);
     taylor[k] = exponent >= k ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
@@ -263,11 +291,11 @@ Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
 template <class T, int N, int K>
 Jet<T, N, K> sqrt(const Jet<T, N, K>& a) {
   using std::sqrt;
-  std::array<T, K + 1> taylor;
+  TaylorSeries<T, K> taylor;
   taylor[0] = sqrt(a.c[0]);
-  if constexpr (K > 0) {
+  if (a.order() > 0) {
     const T inverse = reciprocal_or_zero(a.c[0]);
-    for (int k = 1; k <= K; ++k) taylor[k] = T((1.5 - k) / k) * taylor[k - 1] * inverse;
+    for (int k = 1; k <= a.order(); ++k) taylor[k] = T((1.5 - k) / k) * taylor[k - 1] * inverse;
   }
   return compose(a, taylor);
 }
@@ -275,11 +303,11 @@ Jet<T, N, K> sqrt(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> cbrt(const Jet<T, N, K>& a) {
   using std::cbrt;
-  std::array<T, K + 1> taylor;
+  TaylorSeries<T, K> taylor;
   taylor[0] = cbrt(a.c[0]);
-  if constexpr (K > 0) {
+  if (a.order() > 0) {
     const T inverse = reciprocal_or_zero(a.c[0]);
-    for (int k = 1; k <= K; ++k) taylor[k] = T((4.0 / 3 - k) / k) * taylor[k - 1] * inverse;
+    for (int k = 1; k <= a.order(); ++k) taylor[k] = T((4.0 / 3 - k) / k) * taylor[k - 1] * inverse;
   }
   return compose(a, taylor);
 }
@@ -287,21 +315,21 @@ Jet<T, N, K> cbrt(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> exp(const Jet<T, N, K>& a) {
   using std::exp;
-  std::array<T, K + 1> taylor;
+  TaylorSeries<T, K> taylor;
   taylor[0] = exp(a.c[0]);
-  for (int k = 1; k <= K; ++k) taylor[k] = taylor[k - 1] * T(1.0 / k);
+  for (int k = 1; k <= a.order(); ++k) taylor[k] = taylor[k - 1] * T(1.0 / k);
   return compose(a, taylor);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> log(const Jet<T, N, K>& a) {
   using std::log;
-  std::array<T, K + 1> taylor;
+  TaylorSeries<T, K> taylor;
   taylor[0] = log(a.c[0]);
-  if constexpr (K > 0) {
+  if (a.order() > 0) {
     const T inverse = reciprocal_or_zero(a.c[0]);
     T power = inverse;
-    for (int k = 1; k <= K; ++k) {
+    for (int k = 1; k <= a.order(); ++k) {
       taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
       power = power * inverse;
     }
@@ -311,10 +339,10 @@ Jet<T, N, K> log(const Jet<T, N, K>& a) {
 
 /// The Taylor coefficients of a function whose derivatives repeat as `first`, `second`, ± those.
 template <class T, int K>
-std::array<T, K + 1> alternating_series(const T& first, const T& second, double sign) {
-  std::array<T, K + 1> taylor;
+TaylorSeries<T, K> alternating_series(int order, const T& first, const T& second, double sign) {
+  TaylorSeries<T, K> taylor;
   double factor = 1;
-  for (int k = 0; k <= K; ++k) {
+  for (int k = 0; k <= order; ++k) {
     if (k > 0) factor /= k;
     if (k > 1 && k % 2 == 0) factor *= sign;
     taylor[k] = T(factor) * (k % 2 == 0 ? first : second);
@@ -325,37 +353,37 @@ std::array<T, K + 1> alternating_series(const T& first, const T& second, double 
 template <class T, int N, int K>
 Jet<T, N, K> sin(const Jet<T, N, K>& a) {
   using std::cos, std::sin, rfm::cos, rfm::sin;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(sin(a.c[0]));
-  return compose(a, alternating_series<T, K>(sin(a.c[0]), cos(a.c[0]), -1));
+  if (a.order() == 0) return Jet<T, N, K>::constant(sin(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), sin(a.c[0]), cos(a.c[0]), -1));
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> cos(const Jet<T, N, K>& a) {
   using std::cos, std::sin, rfm::cos, rfm::sin;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(cos(a.c[0]));
-  return compose(a, alternating_series<T, K>(cos(a.c[0]), -sin(a.c[0]), -1));
+  if (a.order() == 0) return Jet<T, N, K>::constant(cos(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), cos(a.c[0]), -sin(a.c[0]), -1));
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> sinh(const Jet<T, N, K>& a) {
   using std::cosh, std::sinh;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(sinh(a.c[0]));
-  return compose(a, alternating_series<T, K>(sinh(a.c[0]), cosh(a.c[0]), 1));
+  if (a.order() == 0) return Jet<T, N, K>::constant(sinh(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), sinh(a.c[0]), cosh(a.c[0]), 1));
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> cosh(const Jet<T, N, K>& a) {
   using std::cosh, std::sinh;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(cosh(a.c[0]));
-  return compose(a, alternating_series<T, K>(cosh(a.c[0]), sinh(a.c[0]), 1));
+  if (a.order() == 0) return Jet<T, N, K>::constant(cosh(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), cosh(a.c[0]), sinh(a.c[0]), 1));
 }
 
 /// Taylor coefficients of the solution of f′ = 1 + sign f²: tan (+) and tanh (−).
 template <class T, int K>
-std::array<T, K + 1> riccati_series(const T& value, double sign) {
-  std::array<T, K + 1> taylor;
+TaylorSeries<T, K> riccati_series(int order, const T& value, double sign) {
+  TaylorSeries<T, K> taylor;
   taylor[0] = value;
-  for (int k = 0; k < K; ++k) {
+  for (int k = 0; k < order; ++k) {
     T sum = T(0.0);
     for (int i = 0; i <= k; ++i) sum = sum + taylor[i] * taylor[k - i];
     taylor[k + 1] = T(1.0 / (k + 1)) * (T(k == 0 ? 1.0 : 0.0) + T(sign) * sum);
@@ -366,13 +394,13 @@ std::array<T, K + 1> riccati_series(const T& value, double sign) {
 template <class T, int N, int K>
 Jet<T, N, K> tan(const Jet<T, N, K>& a) {
   using std::tan;
-  return compose(a, riccati_series<T, K>(tan(a.c[0]), 1));
+  return compose(a, riccati_series<T, K>(a.order(), tan(a.c[0]), 1));
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> tanh(const Jet<T, N, K>& a) {
   using std::tanh;
-  return compose(a, riccati_series<T, K>(tanh(a.c[0]), -1));
+  return compose(a, riccati_series<T, K>(a.order(), tanh(a.c[0]), -1));
 }
 
 /// The jet in one variable at the value of `a`, one order lower: derivatives of inverse functions
@@ -385,7 +413,7 @@ auto own_variable(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> asin(const Jet<T, N, K>& a) {
   using std::asin;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
+  if (a.order() == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
   const auto x = own_variable(a);
   const decltype(x) one(1.0);
   // (1 − x)(1 + x) does not cancel next to ±1, where the derivatives are 0 by convention.
@@ -406,7 +434,7 @@ Jet<T, N, K> acos(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> atan(const Jet<T, N, K>& a) {
   using std::atan;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(atan(a.c[0]));
+  if (a.order() == 0) return Jet<T, N, K>::constant(atan(a.c[0]));
   const auto x = own_variable(a);
   const decltype(x) one(1.0);
   return compose_primitive(a, T(atan(a.c[0])), one / (one + x * x));
@@ -415,7 +443,7 @@ Jet<T, N, K> atan(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> asinh(const Jet<T, N, K>& a) {
   using std::asinh;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(asinh(a.c[0]));
+  if (a.order() == 0) return Jet<T, N, K>::constant(asinh(a.c[0]));
   const auto x = own_variable(a);
   const decltype(x) one(1.0);
   return compose_primitive(a, T(asinh(a.c[0])), real_power(one + x * x, -0.5));
@@ -424,7 +452,7 @@ Jet<T, N, K> asinh(const Jet<T, N, K>& a) {
 template <class T, int N, int K>
 Jet<T, N, K> erf(const Jet<T, N, K>& a) {
   using std::erf;
-  if constexpr (K == 0) return Jet<T, N, K>::constant(erf(a.c[0]));
+  if (a.order() == 0) return Jet<T, N, K>::constant(erf(a.c[0]));
   const auto x = own_variable(a);
   return compose_primitive(a, T(erf(a.c[0])),
                            scaled(T(2 * std::numbers::inv_sqrtpi), exp(-(x * x))));
@@ -436,7 +464,7 @@ template <class T, int N, int K>
 Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
   using std::atan2;
   Jet<T, N, K> angle;
-  if constexpr (K > 0) {
+  if constexpr (K != 0) {
     const auto steep = farther_from_zero(y.c[0], x.c[0]);
     const Jet<T, N, K> numerator = select(steep, x, y), denominator = select(steep, y, x);
     const Jet<T, N, K> flat = atan(numerator / denominator);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamic_jet.hpp"
 #include "core/jet.hpp"
 #include "core/jet_r_functions.hpp"
 #include "core/operations.hpp"

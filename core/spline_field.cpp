@@ -12,7 +12,7 @@
 namespace rfm {
 namespace {
 
-constexpr int maximum_order = 8;
+constexpr int highest_order = 8;            // of jets, along each axis and in total
 constexpr double outside_tolerance = 1e-9;  // of a side: rounding of a point on the boundary
 
 // Place in the jet of each derivative (along z, y, x), with the factor that turns a derivative with
@@ -24,7 +24,7 @@ struct JetEntry {
 };
 
 struct JetPlan {
-  std::array<JetEntry, jet_size(3, maximum_order)> entries;
+  std::array<JetEntry, jet_size(3, highest_order)> entries;
   int count = 0;
 };
 
@@ -81,11 +81,11 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
   for (int axis = 0; axis < std::min(dimension, variables); ++axis) highest[axis] = order;
   const int lines_y = dimension > 1 ? width : 1, lines_z = dimension > 2 ? width : 1;
 
-  double basis[3][(maximum_order + 1) * width];
+  double basis[3][(highest_order + 1) * width];
   for (int axis = dimension; axis < 3; ++axis) basis[axis][0] = 1;
   // Contracted with the splines of x (for each derivative), then with those of y too.
-  double along_x[maximum_order + 1][width * width];
-  double along_xy[maximum_order + 1][maximum_order + 1][width];
+  double along_x[highest_order + 1][width * width];
+  double along_xy[highest_order + 1][highest_order + 1][width];
 
   for (int point = 0; point < count; ++point) {
     std::ptrdiff_t first = 0, step = 1;
@@ -136,7 +136,7 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
 
 void SplineField::evaluate(const std::array<const double*, 3>& coordinates, int count,
                            int variables, int order, double* jets, int stride) const {
-  if (order < 0 || order > maximum_order || variables < 1)
+  if (order < 0 || order > highest_order || variables < 1)
     throw InvalidArgument("jets of a spline have orders 0 to 8, got " + std::to_string(order));
   const auto run = [&]<int degree>() {
     evaluate_degree<degree>(coordinates, count, variables, order, jets, stride);

@@ -16,8 +16,9 @@ constexpr int batch_width = static_cast<int>(Batch::size());
 static_assert(Tape::block_size % batch_width == 0);
 
 template <class Function>
-auto in_dimension(int dimension, const Function& function) {
-  switch (dimension) {
+auto in_dimension(int variables, int order, const Function& function) {
+  if (order > highest_compiled_order(variables)) return function.template operator()<run_time>();
+  switch (variables) {
     case 1:
       return function.template operator()<1>();
     case 2:
@@ -36,26 +37,29 @@ double* aligned(double* pointer) {
 
 }  // namespace
 
-Kernel find_kernel(Operation operation, int dimension, int order) {
-  return in_dimension(dimension, [&]<int N>() { return find_kernel_in<N>(operation, order); });
+Kernel find_kernel(Operation operation, int variables, int order) {
+  return in_dimension(variables, order, [&]<int N>() -> Kernel {
+    if constexpr (N == run_time)
+      return find_dynamic_kernel(operation);
+    else
+      return find_kernel_in<N>(operation, order);
+  });
 }
 
-Tape::Tape(std::vector<Field> roots, std::vector<int> orders, int dimension)
-    : roots_(std::move(roots)), orders_(std::move(orders)), dimension_(dimension) {
-  if (dimension < 1 || dimension > 3)
-    throw InvalidArgument("tapes have 1 to 3 variables, got " + std::to_string(dimension));
+Tape::Tape(std::vector<Field> roots, std::vector<int> orders, const Variables& variables)
+    : roots_(std::move(roots)), orders_(std::move(orders)), variables_(variables) {
   if (orders_.size() == 1) orders_.resize(roots_.size(), orders_[0]);
   if (orders_.size() != roots_.size())
     throw InvalidArgument("a tape needs one order, or one for each root");
   for (const int order : orders_)
     if (order < 0)
       throw InvalidArgument("orders of derivatives start at 0, got " + std::to_string(order));
-  program_ = compile(roots_, orders_, dimension_);
+  program_ = compile(roots_, orders_, variables_);
 }
 
 Tape::Tape(const Tape& general, const Box& box)
-    : roots_(general.roots_), orders_(general.orders_), dimension_(general.dimension_) {
-  program_ = rfm::specialised(*general.program_, orders_, dimension_, box);
+    : roots_(general.roots_), orders_(general.orders_), variables_(general.variables_) {
+  program_ = rfm::specialised(*general.program_, orders_, box);
 }
 
 Tape Tape::specialised(const Box& box) const { return Tape(*this, box); }
@@ -69,7 +73,7 @@ int Tape::instruction_count() const { return static_cast<int>(program_->instruct
 const Tape::Program& Tape::with_steps() const {
   std::call_once(program_->has_steps, [this] {
     // Nobody reads the steps before this is done.
-    lower(const_cast<Program&>(*program_), orders_, dimension_);
+    lower(const_cast<Program&>(*program_), orders_, dimension());
   });
   return *program_;
 }
@@ -95,16 +99,27 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
   const auto pad = [&](double* row) {
     std::fill(row + points.count, row + padded, row[points.count - 1]);
   };
-  for (int axis = 0; axis < dimension_; ++axis) {
-    double* const row = memory + axis * block_size;
-    if (!points.coordinates[axis])
-      throw InvalidArgument("a block in " + std::to_string(dimension_) + "D needs coordinate " +
-                            std::to_string(axis));
-    std::copy_n(points.coordinates[axis], points.count, row);
+  // The rows of a coordinate: given, or the same time everywhere.
+  const auto fill_coordinate = [&](int index, double* row) {
+    if (index == 3) return void(std::fill_n(row, padded, points.time));
+    const std::size_t further = static_cast<std::size_t>(index) - 4;
+    const double* const values = index < 3                         ? points.coordinates[index]
+                                 : further < points.further.size() ? points.further[further]
+                                                                   : nullptr;
+    if (!values)
+      throw InvalidArgument("the points of a block have no coordinate number " +
+                            std::to_string(index) + ", which is needed");
+    std::copy_n(values, points.count, row);
     pad(row);
-  }
-  for (const auto& [number, offset] : program_->inputs) {
+  };
+  for (int v = 0; v < dimension(); ++v)
+    fill_coordinate(variables_.coordinates()[v], memory + v * block_size);
+  for (const auto& [number, offset, is_row] : program_->inputs) {
     const Instruction& input = program_->instructions[number];
+    if (is_row) {
+      fill_coordinate(input.index, memory + offset);
+      continue;
+    }
     const bool is_time = input.operation == Operation::coordinate;
     if (!is_time && input.index >= static_cast<int>(points.parameters.size()))
       throw InvalidArgument("the field needs parameter number " + std::to_string(input.index) +
@@ -119,47 +134,64 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
       continue;
     }
     double* const jets = memory + step.result;
-    program_->instructions[step.index].source->evaluate(points.coordinates, points.count,
-                                                        dimension_, step.order, jets, block_size);
-    for (int k = 0; k < jet_size(dimension_, step.order); ++k) pad(jets + k * block_size);
+    evaluate_source(*program_->instructions[step.index].source, variables_, points.coordinates,
+                    points.count, step.order, jets, block_size);
+    for (int k = 0; k < jet_size(dimension(), step.order); ++k) pad(jets + k * block_size);
   }
 }
 
-FunctionBounds Tape::bounds(const Box& box, int root, double time) const {
-  return in_dimension(dimension_,
-                      [&]<int N>() { return SinglePoint<N>::bounds(*program_, root, box, time); });
-}
-
-Interval Tape::value_bounds(const Box& box, int root, double time) const {
-  return in_dimension(dimension_, [&]<int N>() {
-    return SinglePoint<N>::value_bounds(*program_, root, box, time);
+FunctionBounds Tape::bounds(const Box& box, int root, const OtherRanges& others) const {
+  return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
+    return SinglePoint<N>::bounds(*program_, root, box, others);
   });
 }
 
-LineBounds Tape::bounds(const Line& line, const Interval& range, int root, double time) const {
-  if (orders_[root] < 1)
-    throw InvalidArgument("bounds along a line need a tape of first order for the root");
+Interval Tape::value_bounds(const Box& box, int root, const OtherRanges& others) const {
+  return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
+    return SinglePoint<N>::value_bounds(*program_, root, box, others);
+  });
+}
+
+LineBounds Tape::bounds(const Line& line, const Interval& range, int root,
+                        const OtherRanges& others) const {
+  if (orders_[root] < 1 || !variables_.are_leading())
+    throw InvalidArgument(
+        "bounds along a line need a tape of first order for the root, in coordinates of space");
   // Without derivatives in the expression (they need a higher order) the line is the only variable.
   if (program_->highest_order == 1)
-    return SinglePoint<1>::bounds(*program_, root, line, range, time);
-  return in_dimension(dimension_, [&]<int N>() {
-    return SinglePoint<N>::bounds(*program_, root, line, range, time);
+    return SinglePoint<1>::bounds(*program_, root, line, range, others);
+  return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
+    return SinglePoint<N>::bounds(*program_, root, line, range, others);
   });
 }
 
-double Tape::value(const Point& point, int root, double time) const {
-  return in_dimension(dimension_, [&]<int N>() {
-    return SinglePoint<N>::value(*program_, root, point, time, nullptr);
-  });
+double Tape::value(const Point& point, int root, const OtherValues& others) const {
+  double value;
+  coefficients(point, root, others, {&value, 1});
+  return value;
 }
 
-double Tape::value_and_gradient(const Point& point, Point& gradient, int root, double time) const {
-  if (orders_[root] < 1)
-    throw InvalidArgument("the gradient of a root needs a tape of first order for it");
-  gradient = {};
-  return in_dimension(dimension_, [&]<int N>() {
-    return SinglePoint<N>::value(*program_, root, point, time, &gradient);
-  });
+double Tape::value_and_gradient(const Point& point, Point& gradient, int root,
+                                const OtherValues& others) const {
+  if (orders_[root] < 1 || dimension() > static_cast<int>(gradient.size()))
+    throw InvalidArgument(
+        "the gradient of a root needs a tape of first order for it, in up to three variables");
+  std::array<double, 4> jet{};
+  coefficients(point, root, others, std::span(jet).first(1 + dimension()));
+  std::copy_n(jet.begin() + 1, gradient.size(), gradient.begin());
+  return jet[0];
+}
+
+std::vector<double> Tape::jet(const Point& point, int root, const OtherValues& others) const {
+  std::vector<double> jet(jet_size(dimension(), orders_[root]));
+  coefficients(point, root, others, jet);
+  return jet;
+}
+
+void Tape::coefficients(const Point& point, int root, const OtherValues& others,
+                        std::span<double> first) const {
+  in_dimension(dimension(), program_->highest_order,
+               [&]<int N>() { SinglePoint<N>::jet(*program_, root, point, others, first); });
 }
 
 bool same_expression(const Field& a, const Field& b) {

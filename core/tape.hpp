@@ -8,17 +8,10 @@
 #include "core/field.hpp"
 #include "core/field_source.hpp"
 #include "core/line.hpp"
+#include "core/point_block.hpp"
+#include "core/variables.hpp"
 
 namespace rfm {
-
-/// What is known of the points of one evaluation: `count` ≤ `Tape::block_size` points, coordinate
-/// by coordinate (those beyond the tape's dimension may be null), the time, and the parameters.
-struct PointBlock {
-  std::array<const double*, 3> coordinates{};
-  int count = 0;
-  double time = 0;
-  std::span<const double> parameters{};
-};
 
 /// Fields compiled for evaluation: the graph hash-consed, sorted, every node at the lowest order of
 /// derivatives that its users need, registers reused. Immutable and shared by threads; each thread
@@ -29,15 +22,17 @@ struct PointBlock {
 ///     tape.evaluate(points, workspace);
 ///     const double* u_xy = workspace.coefficient(0, jet_index(2, {1, 1}));   // [point]
 ///
-/// Coefficients are Taylor coefficients ∂^α f / α!, in the order of `jet_index`. Compiled for
-/// 1 to 3 variables and orders 0 to 3 (0 to 4 in 2D); a field that needs more throws
-/// `InvalidArgument` at compilation.
+/// Coefficients are Taylor coefficients ∂^α f / α!, in the order of `jet_index`, in up to four
+/// variables: the coordinates of space, or any others, as in `Tape({u}, {2}, {0, 1, 3})` for x, y
+/// and t. Orders go up to 16, counting those of derivatives within a field; 1 to 3 variables and
+/// orders 0 to 3 (0 to 4 in 2D) have kernels of their own and are several times faster. A field
+/// that needs more throws `InvalidArgument` at compilation.
 class Tape {
  public:
   static constexpr int block_size = 64;
 
   /// `orders[i]` derivatives of `roots[i]`; one order may be given for all roots.
-  Tape(std::vector<Field> roots, std::vector<int> orders, int dimension);
+  Tape(std::vector<Field> roots, std::vector<int> orders, const Variables& variables);
   ~Tape();
   Tape(Tape&&) noexcept;
   Tape& operator=(Tape&&) noexcept;
@@ -46,20 +41,24 @@ class Tape {
   /// Jets of all roots at up to `block_size` points.
   void evaluate(const PointBlock& points, Workspace& workspace) const;
   /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
-  /// models with interval remainders; of a root of order 0 the gradient is not bounded. Time is
-  /// taken from `time`.
-  FunctionBounds bounds(const Box& box, int root = 0, double time = 0) const;
+  /// models with interval remainders; of a root of order 0 the gradient is not bounded. The
+  /// gradient is with respect to the tape's variables.
+  FunctionBounds bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;
   /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
-  Interval value_bounds(const Box& box, int root = 0, double time = 0) const;
+  Interval value_bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;
   /// Rigorous bounds of the value of root `root`, which must be of order 1 at least, and of its
   /// derivative with respect to the parameter of a line, where that lies in `range`: as `bounds`,
-  /// but of second order in the length alone, without a box around the line.
-  LineBounds bounds(const Line& line, const Interval& range, int root = 0, double time = 0) const;
+  /// but of second order in the length alone, without a box around the line. For tapes in the
+  /// coordinates of space.
+  LineBounds bounds(const Line& line, const Interval& range, int root = 0,
+                    const OtherRanges& others = {}) const;
   /// Value and gradient of root `root` at one point, without a workspace. The gradient needs a root
-  /// of order 1 at least, or else `InvalidArgument` is thrown.
-  double value(const Point& point, int root = 0, double time = 0) const;
+  /// of order 1 at least, and at most three variables, or else `InvalidArgument` is thrown.
+  double value(const Point& point, int root = 0, const OtherValues& others = {}) const;
   double value_and_gradient(const Point& point, Point& gradient, int root = 0,
-                            double time = 0) const;
+                            const OtherValues& others = {}) const;
+  /// All Taylor coefficients of root `root` at one point, as many as its order has.
+  std::vector<double> jet(const Point& point, int root = 0, const OtherValues& others = {}) const;
 
   /// The same functions for points and boxes within `box`, whatever time and parameters are,
   /// without what bounds of the values over the box decide: the branch of a min, max or select that
@@ -70,7 +69,9 @@ class Tape {
   /// everywhere.
   Tape specialised(const Box& box) const;
 
-  int dimension() const { return dimension_; }
+  /// The number of variables.
+  int dimension() const { return variables_.count(); }
+  const Variables& variables() const { return variables_; }
   int root_count() const { return static_cast<int>(roots_.size()); }
   int order(int root) const { return orders_[root]; }
   /// Operations of the expression, as single points and bounds evaluate it.
@@ -84,10 +85,12 @@ class Tape {
  private:
   Tape(const Tape& general, const Box& box);
   const Program& with_steps() const;
+  void coefficients(const Point& point, int root, const OtherValues& others,
+                    std::span<double> first) const;
 
   std::vector<Field> roots_;
   std::vector<int> orders_;
-  int dimension_;
+  Variables variables_;
   std::unique_ptr<const Program> program_;
 };
 

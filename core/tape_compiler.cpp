@@ -13,7 +13,7 @@ namespace {
 
 class Compiler {
  public:
-  explicit Compiler(int dimension) : dimension_(dimension) {}
+  explicit Compiler(const Variables& variables) : variables_(variables) {}
 
   int add(const Field& root) {
     // Depth-first with a stack of our own: graphs may be deeper than the machine's stack.
@@ -59,18 +59,21 @@ class Compiler {
     instruction.source = node.source;
     for (std::size_t i = 0; i < node.arguments.size(); ++i)
       instruction.operands[i] = number_of(&node.arguments[i].node());
-    // A coordinate beyond the dimension is 0 for all points: nothing varies along it.
-    if (node.operation == Operation::coordinate && node.index < 3 && node.index >= dimension_) {
-      instruction.operation = Operation::constant;
-      instruction.index = 0;
+    // Nothing varies along a coordinate that is 0 for all points.
+    if (node.operation == Operation::coordinate || node.operation == Operation::partial) {
+      instruction.variable = variables_.find(node.index);
+      if (variables_.vanishes(node.index)) instruction = Instruction();
     }
-    if (node.operation == Operation::partial && node.index >= dimension_) {
-      instruction = Instruction();
+    if (instruction.operation == Operation::partial) {
+      if (instruction.variable < 0)
+        throw InvalidArgument("a derivative along coordinate number " + std::to_string(node.index) +
+                              " is needed, which is none of the tape's variables");
+      instruction.index = std::exchange(instruction.variable, -1);
     }
     return table.add(std::move(instruction));
   }
 
-  int dimension_;
+  const Variables& variables_;
   std::vector<std::pair<const Field::Node*, int>> nodes_;  // with the numbers of instructions
   IndexTable places_;
 };
@@ -99,7 +102,7 @@ void remove_unused(std::vector<Instruction>& code, std::vector<int>& roots) {
 
 // Instructions are complete: leaves out the useless ones and finds orders.
 std::unique_ptr<const Tape::Program> finished(std::unique_ptr<Tape::Program> program,
-                                              const std::vector<int>& orders, int dimension) {
+                                              const std::vector<int>& orders) {
   std::vector<Instruction>& code = program->instructions;
   remove_unused(code, program->root_instructions);
   for (std::size_t i = 0; i < orders.size(); ++i) {
@@ -114,37 +117,36 @@ std::unique_ptr<const Tape::Program> finished(std::unique_ptr<Tape::Program> pro
       code[operand].order = std::max(code[operand].order, needed);
     }
   }
-  if (program->highest_order > highest_compiled_order(dimension))
+  if (program->highest_order > maximum_order)
     throw InvalidArgument("derivatives of order " + std::to_string(program->highest_order) +
-                          " are needed, but in " + std::to_string(dimension) +
-                          "D only orders up to " +
-                          std::to_string(highest_compiled_order(dimension)) + " are available");
+                          " are needed, but only orders up to " + std::to_string(maximum_order) +
+                          " are available");
   return program;
 }
 
 }  // namespace
 
 std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
-                                             const std::vector<int>& orders, int dimension) {
-  Compiler compiler(dimension);
-  auto program = std::make_unique<Tape::Program>();
+                                             const std::vector<int>& orders,
+                                             const Variables& variables) {
+  Compiler compiler(variables);
+  auto program = std::make_unique<Tape::Program>(variables);
   for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
   program->instructions = std::move(compiler.table).take();
-  return finished(std::move(program), orders, dimension);
+  return finished(std::move(program), orders);
 }
 
 std::unique_ptr<const Tape::Program> specialised(const Tape::Program& original,
-                                                 const std::vector<int>& orders, int dimension,
-                                                 const Box& box) {
+                                                 const std::vector<int>& orders, const Box& box) {
   InstructionTable table;
   const std::vector<int> place =
       pruned(original.instructions, ranges_over(original.instructions, box),
              original.root_instructions, table);
-  auto program = std::make_unique<Tape::Program>();
+  auto program = std::make_unique<Tape::Program>(original.variables);
   for (const int root : original.root_instructions)
     program->root_instructions.push_back(place[root]);
   program->instructions = std::move(table).take();
-  return finished(std::move(program), orders, dimension);
+  return finished(std::move(program), orders);
 }
 
 }  // namespace rfm

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
+#include <type_traits>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/operation_rules.hpp"
 #include "core/tape_program.hpp"
 
@@ -57,55 +61,45 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
   return result;
 }
 
-/// What `SinglePoint` shares, instantiated in tape_interpreter_{1,2,3}d.cpp.
+/// Instantiated in tape_interpreter_{1,2,3}d.cpp and, at any order in any number of variables, in
+/// tape_interpreter_dynamic.cpp.
 template <int N>
 struct Interpreter {
-  static double value(const Tape::Program& program, int root, const Point& point, double time,
-                      Point* gradient) {
-    return at_order(program, [&]<int K>() {
+  static void jet(const Tape::Program& program, int root, const Point& point,
+                  const OtherValues& others, std::span<double> coefficients) {
+    at_order(program, [&]<int K>() {
       const auto jet = interpret<double, N, K>(program, root, [&](const Instruction& leaf) {
-        using Number = Jet<double, N, K>;
-        if (leaf.operation == Operation::coordinate)
-          return leaf.index == 3 ? Number(time) : Number::variable(leaf.index, point[leaf.index]);
-        Number jet(std::nan(""));  // a parameter: only blocks carry values of parameters
-        if (leaf.operation == Operation::source)
-          leaf.source->evaluate({&point[0], &point[1], &point[2]}, 1, N, K, jet.c.data(), 1);
-        return jet;
+        return leaf_value<K>(program, leaf, point, others);
       });
-      if constexpr (K >= 1)
-        if (gradient)
-          for (int axis = 0; axis < N; ++axis) (*gradient)[axis] = jet.c[1 + axis];
-      return jet.c[0];
+      for (std::size_t i = 0; i < coefficients.size(); ++i)
+        coefficients[i] = coefficient(jet, static_cast<int>(i));
     });
   }
 
   static FunctionBounds bounds(const Tape::Program& program, int root, const Box& box,
-                               double time) {
-    std::array<double, 3> radius{};
-    for (int axis = 0; axis < N; ++axis) {
-      const double middle = 0.5 * (box.low[axis] + box.high[axis]);
-      radius[axis] = std::max(box.high[axis] - middle, middle - box.low[axis]) * (1 + 0x1p-50);
+                               const OtherRanges& others) {
+    const std::vector<int>& variables = program.variables.coordinates();
+    std::array<double, maximum_variables> radius{};
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const Interval range = coordinate_range(variables[i], box, others);
+      const double middle = range.middle();
+      radius[i] = std::max(range.high - middle, middle - range.low) * (1 + 0x1p-50);
     }
     const TaylorBound::Frame frame(radius);
     return at_order(program, [&]<int K>() {
-      using Number = Jet<TaylorBound, N, K>;
       const auto jet = interpret<TaylorBound, N, K>(program, root, [&](const Instruction& leaf) {
-        if (leaf.operation == Operation::coordinate)
-          return leaf.index == 3
-                     ? Number(time)
-                     : Number::variable(leaf.index, TaylorBound::coordinate(
-                                                        box.interval(leaf.index), leaf.index));
-        return source_bounds<TaylorBound, K>(leaf, box);
+        return leaf_range<TaylorBound, K>(program, leaf, box, others);
       });
       FunctionBounds bounds{jet.c[0].range, {}, jet.c[0].smooth};
       // A register has meaning up to its own order only.
       const bool known = program.instructions[program.root_instructions[root]].order >= 1;
-      for (int axis = 0; axis < N; ++axis) {
-        bounds.gradient[axis] = Interval::entire();
-        if constexpr (K >= 1) {
-          if (!known) continue;
-          bounds.gradient[axis] = jet.c[1 + axis].range;
-          bounds.smooth = bounds.smooth && jet.c[1 + axis].smooth;
+      for (int i = 0; i < static_cast<int>(variables.size()); ++i) {
+        bounds.gradient[i] = Interval::entire();
+        if (!known) continue;
+        if constexpr (K != 0) {
+          const TaylorBound slope = coefficient(jet, 1 + i);
+          bounds.gradient[i] = slope.range;
+          bounds.smooth = bounds.smooth && slope.smooth;
         }
       }
       return bounds;
@@ -115,7 +109,7 @@ struct Interpreter {
   // Jets whose coefficients are Taylor models in the parameter of the line: bounds of second order
   // in its length.
   static LineBounds bounds(const Tape::Program& program, int root, const Line& line,
-                           const Interval& t, double time) {
+                           const Interval& t, const OtherRanges& others) {
     const double middle = t.middle();
     const TaylorBound::Frame frame(
         {std::max(t.high - middle, middle - t.low) * (1 + 0x1p-50), 0, 0});
@@ -131,37 +125,37 @@ struct Interpreter {
         return {Interval::entire(), Interval::entire(), false};
       } else {
         using Number = Jet<TaylorBound, N, K>;
-        const auto coordinate = [&](int axis) {
-          const double value = line.origin[axis] + middle * line.direction[axis];
+        const auto coordinate_on_line = [&](int axis) {
           TaylorBound model;
-          model.value = value;
+          model.value = line.origin[axis] + middle * line.direction[axis];
           model.slope[0] = line.direction[axis];
           model.error =
               4e-16 * (std::fabs(line.origin[axis]) + std::fabs(middle * line.direction[axis]));
           model.range = {hull.low[axis], hull.high[axis]};
-          Number number = Number::constant(model);
-          number.c[1 + (N == 1 ? 0 : axis)] = N == 1 ? line.direction[axis] : 1.0;
+          Number number = coordinate<Number>(program, N == 1 ? 0 : axis, model);
+          if constexpr (N == 1) number.c[1] = line.direction[axis];
           return number;
         };
         const Number jet =
             interpret<TaylorBound, N, K>(program, root, [&](const Instruction& leaf) -> Number {
-              if (leaf.operation == Operation::coordinate)
-                return leaf.index == 3 ? Number(time) : coordinate(leaf.index);
-              Number number = source_bounds<TaylorBound, K>(leaf, hull);
-              if (N == 1 && leaf.operation == Operation::source) {
-                const FunctionBounds known = leaf.source->bounds(hull);
-                Interval slope;
-                for (int axis = 0; axis < 3; ++axis)
-                  slope = slope + Interval(line.direction[axis]) * known.gradient[axis];
-                number.c[1] = of_range<TaylorBound>(slope, known.smooth);
-              }
+              if (leaf.operation == Operation::coordinate && leaf.index < 3)
+                return coordinate_on_line(leaf.index);
+              if (N != 1 || leaf.operation != Operation::source)
+                return leaf_range<TaylorBound, K>(program, leaf, hull, others);
+              const FunctionBounds known = leaf.source->bounds(hull);
+              Interval slope;
+              for (int axis = 0; axis < 3; ++axis)
+                slope = slope + Interval(line.direction[axis]) * known.gradient[axis];
+              Number number = unknown<TaylorBound, K>(program);
+              number.c[0] = of_range<TaylorBound>(known.value, known.smooth);
+              number.c[1] = of_range<TaylorBound>(slope, known.smooth);
               return number;
             });
-        TaylorBound slope = jet.c[1];
-        if constexpr (N > 1) {
-          slope = TaylorBound(line.direction[0]) * jet.c[1];
-          for (int axis = 1; axis < N; ++axis)
-            slope += TaylorBound(line.direction[axis]) * jet.c[1 + axis];
+        TaylorBound slope = coefficient(jet, 1);
+        if constexpr (N != 1) {
+          slope = TaylorBound(line.direction[0]) * slope;
+          for (int axis = 1; axis < program.variables.count(); ++axis)
+            slope += TaylorBound(line.direction[axis]) * coefficient(jet, 1 + axis);
         }
         return {jet.c[0].range, slope.range, jet.c[0].smooth && slope.smooth};
       }
@@ -169,17 +163,11 @@ struct Interpreter {
   }
 
   static Interval value_bounds(const Tape::Program& program, int root, const Box& box,
-                               double time) {
+                               const OtherRanges& others) {
     return at_order(program, [&]<int K>() {
-      using Number = Jet<Interval, N, K>;
       return interpret<Interval, N, K>(program, root,
                                        [&](const Instruction& leaf) {
-                                         if (leaf.operation == Operation::coordinate)
-                                           return leaf.index == 3
-                                                      ? Number(time)
-                                                      : Number::variable(leaf.index,
-                                                                         box.interval(leaf.index));
-                                         return source_bounds<Interval, K>(leaf, box);
+                                         return leaf_range<Interval, K>(program, leaf, box, others);
                                        })
           .c[0];
     });
@@ -188,32 +176,119 @@ struct Interpreter {
  private:
   template <class Function>
   static auto at_order(const Tape::Program& program, const Function& function) {
-    switch (program.highest_order) {
-      case 0:
-        return function.template operator()<0>();
-      case 1:
-        return function.template operator()<1>();
-      case 2:
-        return function.template operator()<2>();
-      case 3:
-        return function.template operator()<3>();
-      default:
-        return function.template operator()<highest_compiled_order(N)>();
+    if constexpr (N == run_time) {
+      return function.template operator()<run_time>();
+    } else {
+      switch (program.highest_order) {
+        case 0:
+          return function.template operator()<0>();
+        case 1:
+          return function.template operator()<1>();
+        case 2:
+          return function.template operator()<2>();
+        case 3:
+          return function.template operator()<3>();
+        default:
+          return function.template operator()<highest_compiled_order(N)>();
+      }
     }
   }
 
-  // What a source says of itself over a box; of a parameter nothing is known.
+  // A jet of the tape's highest order, all zero.
+  template <class Number>
+  static Number zero(const Tape::Program& program) {
+    if constexpr (N == run_time)
+      return Number(JetShape::get(program.variables.count(), program.highest_order));
+    else
+      return Number();
+  }
+
+  // A coordinate with this value: one of the variables, or held.
+  template <class Number>
+  static Number coordinate(const Tape::Program& program, int variable, const auto& value) {
+    Number jet = zero<Number>(program);
+    jet.c[0] = value;
+    if (variable >= 0 && jet.order() > 0) jet.c[1 + variable] = 1.0;
+    return jet;
+  }
+
+  template <int K>
+  static Jet<double, N, K> leaf_value(const Tape::Program& program, const Instruction& leaf,
+                                      const Point& point, const OtherValues& others) {
+    using Number = Jet<double, N, K>;
+    const std::size_t index = leaf.index;
+    if (leaf.operation == Operation::source) {
+      Number jet = zero<Number>(program);
+      evaluate_source(*leaf.source, program.variables, {&point[0], &point[1], &point[2]}, 1,
+                      jet.order(), &jet.c[0], 1);
+      return jet;
+    }
+    if (leaf.operation == Operation::parameter) {
+      if (index >= others.parameters.size())
+        throw InvalidArgument("the field needs parameter number " + std::to_string(index) +
+                              ", but only " + std::to_string(others.parameters.size()) +
+                              " are given");
+      return Number(others.parameters[index]);
+    }
+    if (index > 3 && index - 4 >= others.further.size())
+      throw InvalidArgument("the field needs coordinate number " + std::to_string(index) +
+                            ", which is not given");
+    return coordinate<Number>(program, leaf.variable,
+                              index < 3    ? point[index]
+                              : index == 3 ? others.time
+                                           : others.further[index - 4]);
+  }
+
+  static Interval coordinate_range(int index, const Box& box, const OtherRanges& others) {
+    if (index < 3) return box.interval(index);
+    if (index == 3) return others.time;
+    const std::size_t further = static_cast<std::size_t>(index) - 4;
+    return further < others.further.size() ? others.further[further] : Interval::entire();
+  }
+
   template <class T, int K>
-  static Jet<T, N, K> source_bounds(const Instruction& leaf, const Box& box) {
-    Jet<T, N, K> jet;
+  static Jet<T, N, K> leaf_range(const Tape::Program& program, const Instruction& leaf,
+                                 const Box& box, const OtherRanges& others) {
+    using Number = Jet<T, N, K>;
+    if (leaf.operation == Operation::source) return source_bounds<T, K>(program, leaf, box);
+    if (leaf.operation == Operation::parameter) {
+      const bool known = leaf.index < static_cast<int>(others.parameters.size());
+      return Number::constant(held<T>(known ? others.parameters[leaf.index] : Interval::entire()));
+    }
+    const Interval range = coordinate_range(leaf.index, box, others);
+    if constexpr (std::is_same_v<T, TaylorBound>)
+      if (leaf.variable >= 0)
+        return coordinate<Number>(program, leaf.variable,
+                                  TaylorBound::coordinate(range, leaf.variable));
+    return coordinate<Number>(program, leaf.variable, held<T>(range));
+  }
+
+  // A function of which no bounds are known.
+  template <class T, int K>
+  static Jet<T, N, K> unknown(const Tape::Program& program) {
+    auto jet = zero<Jet<T, N, K>>(program);
     for (T& coefficient : jet.c) coefficient = of_range<T>(Interval::entire(), false);
-    if (leaf.operation != Operation::source) return jet;
+    return jet;
+  }
+
+  // What a source says of itself over a box.
+  template <class T, int K>
+  static Jet<T, N, K> source_bounds(const Tape::Program& program, const Instruction& leaf,
+                                    const Box& box) {
+    auto jet = unknown<T, K>(program);
     const FunctionBounds known = leaf.source->bounds(box);
     jet.c[0] = of_range<T>(known.value, known.smooth);
-    if constexpr (K >= 1)
-      for (int axis = 0; axis < N; ++axis)
-        jet.c[1 + axis] = of_range<T>(known.gradient[axis], known.smooth);
+    if (jet.order() == 0) return jet;
+    const std::vector<int>& variables = program.variables.coordinates();
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      jet.c[1 + i] =
+          variables[i] < 3 ? of_range<T>(known.gradient[variables[i]], known.smooth) : T(0.0);
     return jet;
+  }
+
+  template <class T>
+  static T held(const Interval& range) {
+    return range.is_point() ? T(range.low) : of_range<T>(range, true);
   }
 
   template <class T>
@@ -226,27 +301,27 @@ struct Interpreter {
 };
 
 template <int N>
-double SinglePoint<N>::value(const Tape::Program& program, int root, const Point& point,
-                             double time, Point* gradient) {
-  return Interpreter<N>::value(program, root, point, time, gradient);
+void SinglePoint<N>::jet(const Tape::Program& program, int root, const Point& point,
+                         const OtherValues& others, std::span<double> coefficients) {
+  Interpreter<N>::jet(program, root, point, others, coefficients);
 }
 
 template <int N>
 FunctionBounds SinglePoint<N>::bounds(const Tape::Program& program, int root, const Box& box,
-                                      double time) {
-  return Interpreter<N>::bounds(program, root, box, time);
+                                      const OtherRanges& others) {
+  return Interpreter<N>::bounds(program, root, box, others);
 }
 
 template <int N>
 LineBounds SinglePoint<N>::bounds(const Tape::Program& program, int root, const Line& line,
-                                  const Interval& range, double time) {
-  return Interpreter<N>::bounds(program, root, line, range, time);
+                                  const Interval& range, const OtherRanges& others) {
+  return Interpreter<N>::bounds(program, root, line, range, others);
 }
 
 template <int N>
 Interval SinglePoint<N>::value_bounds(const Tape::Program& program, int root, const Box& box,
-                                      double time) {
-  return Interpreter<N>::value_bounds(program, root, box, time);
+                                      const OtherRanges& others) {
+  return Interpreter<N>::value_bounds(program, root, box, others);
 }
 
 }  // namespace rfm

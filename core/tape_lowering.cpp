@@ -24,11 +24,14 @@ class Lowering {
         registers_(code_.size()),
         owned_(code_.size()),
         pool_(dimension * row) {
-    find_polynomials();
+    known_.resize(code_.size());
+    if (dimension <= 3) find_polynomials();
     find_orders(orders);
   }
 
   void run() {
+    for (int i = 0; i < static_cast<int>(code_.size()); ++i)
+      if (order_[i] >= 0 && is_held_row(i)) add_held_row(i);
     for (int i = 0; i < static_cast<int>(code_.size()); ++i) {
       if (order_[i] < 0) continue;
       make(i);
@@ -46,15 +49,26 @@ class Lowering {
     return operation == Operation::constant || operation == Operation::coordinate ||
            operation == Operation::parameter;
   }
+  // A coordinate that is no variable and differs from point to point, unlike the time.
+  bool is_held_row(int i) const {
+    const Instruction& instruction = code_[i];
+    return instruction.operation == Operation::coordinate && instruction.variable < 0 &&
+           instruction.index != 3;
+  }
+  // Written before the first step, it has a row that no register shares.
+  void add_held_row(int i) {
+    const int offset = pool_.take(1);
+    registers_[i].value = Part::varying(offset);
+    program_.inputs.push_back({i, offset, true});
+  }
   const Polynomial* polynomial(int i) const { return known_[i]; }
   bool is_sum(int i) const { return known_[i] && known_[i]->summable && !is_leaf(i); }
 
   void find_polynomials() {
     polynomials_.reserve(code_.size());  // `known_` points into it
-    for (const Instruction& instruction : code_) {
-      const auto found = recognise(instruction, known_);
-      known_.push_back(found ? &polynomials_.emplace_back(*found) : nullptr);
-    }
+    for (std::size_t i = 0; i < code_.size(); ++i)
+      if (const auto found = recognise(code_[i], known_))
+        known_[i] = &polynomials_.emplace_back(*found);
   }
 
   std::vector<int> used_operands(int i) const {
@@ -111,7 +125,8 @@ class Lowering {
     const int offset = take(i, jet_size(dimension_, order_[i]));
     registers_[i] = Register::dense(offset, dimension_);
     Step& step = add_step(find_kernel(instruction.operation, dimension_, order_[i]), i, offset);
-    step.order = order_[i];
+    step.order = static_cast<std::int16_t>(order_[i]);
+    step.variables = static_cast<std::int16_t>(dimension_);
     if (instruction.operation == Operation::source) step.index = i;
   }
 
@@ -141,14 +156,14 @@ class Lowering {
     result.gradient = zeros(dimension_);
     if (leaf.operation == Operation::constant) {
       result.value = constant_part({leaf.number});
-    } else if (leaf.operation == Operation::coordinate && leaf.index < 3) {
+    } else if (leaf.variable >= 0) {
       std::vector<double> unit(dimension_);
-      unit[leaf.index] = 1;
-      result.value = Part::varying(leaf.index * row);
+      unit[leaf.variable] = 1;
+      result.value = Part::varying(leaf.variable * row);
       result.gradient = constant_part(unit);
-    } else {
+    } else if (!is_held_row(i)) {
       const int offset = constants_.add({0.0});
-      program_.inputs.push_back({i, offset});
+      program_.inputs.push_back({i, offset, false});
       result.value = Part::constant(offset);
     }
   }
@@ -242,7 +257,8 @@ class Lowering {
         step.kernel = find_kernel(Operation::offset, dimension_, order_[root]);
         step.arguments[0] = registers_[root];
         step.result = take(root, rows);
-        step.order = order_[root];
+        step.order = static_cast<std::int16_t>(order_[root]);
+        step.variables = static_cast<std::int16_t>(dimension_);
         push(step, {0.0});
         program_.root_offsets.push_back(step.result);
       } else {
@@ -264,7 +280,8 @@ class Lowering {
         settle(argument.rest);
       }
     }
-    for (auto& input : program_.inputs) input.offset += pool_.size();
+    for (auto& input : program_.inputs)
+      if (!input.is_row) input.offset += pool_.size();
     program_.varying_size = pool_.size();
     program_.constant_parts = std::move(constants_).numbers();
   }

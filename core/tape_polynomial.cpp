@@ -190,11 +190,11 @@ std::optional<Polynomial> of_instruction(const Instruction& instruction,
     case Operation::constant:
       return constant_polynomial(instruction.number);
     case Operation::coordinate: {
-      if (instruction.index > 2) return {};
+      if (instruction.variable < 0) return {};
       Polynomial p;
-      p.linear[instruction.index] = p.sum.factor[0] = 1;
+      p.linear[instruction.variable] = p.sum.factor[0] = 1;
       p.sum.count = 1;
-      p.sum.axis[0] = instruction.index;
+      p.sum.axis[0] = instruction.variable;
       p.summable = true;
       return p;
     }

@@ -11,10 +11,10 @@ namespace rfm {
 struct Instruction;
 
 /// A polynomial of degree ≤ 2 recognised in an instruction of a tape and all below it:
-/// c + b·t + tᵀAt with t = x − origin. Origins are those of the expression, (x − 3)² has 3, so that
-/// a small circle far away loses no digits. Its derivatives are known in closed form: the gradient
-/// b + 2At, a constant Hessian, nothing beyond; only the value needs the operations of the
-/// expression.
+/// c + b·t + tᵀAt with t = x − origin, x the (at most three) variables of the jets. Origins are
+/// those of the expression, (x − 3)² has 3, so that a small circle far away loses no digits. Its
+/// derivatives are known in closed form: the gradient b + 2At, a constant Hessian, nothing beyond;
+/// only the value needs the operations of the expression.
 ///
 /// Many expressions are a single sum ±(c + Σ kᵢ tᵢ^pᵢ), pᵢ ≤ 2, of at most one term per coordinate,
 /// times a factor: half-spaces, circles, spheres, axis-parallel cylinders. They are `summable`: one

@@ -55,9 +55,10 @@ struct Step {
   Kernel kernel = nullptr;            ///< null for sources, which the tape calls itself
   const double* constants = nullptr;  ///< numbers of the step, kept by the program
   std::array<Register, 3> arguments;
-  int result = 0;  ///< offset of the first row
-  int index = 0;   ///< exponent, axis, or the instruction of a source
-  int order = 0;   ///< of the result
+  int result = 0;              ///< offset of the first row
+  int index = 0;               ///< exponent, axis, or the instruction of a source
+  std::int16_t order = 0;      ///< of the result
+  std::int16_t variables = 0;  ///< of the jets
 };
 static_assert(sizeof(Step) <= 64 && std::is_trivially_copyable_v<Step>,
               "a step is one cache line: a long tape is read through for every block");

@@ -6,7 +6,7 @@
 namespace rfm {
 namespace {
 
-thread_local std::array<double, 3> frame_radius{};
+thread_local std::array<double, maximum_variables> frame_radius{};
 
 constexpr double huge = 1e200;
 
@@ -45,14 +45,15 @@ TaylorBound composed(const TaylorBound& a, double f, double slope, const Interva
   if (!(remainder.magnitude() < huge) || !std::isfinite(f) || !(std::fabs(slope) < huge))
     return from_range(range, smooth);
   model.value = f + remainder.middle();
-  for (int axis = 0; axis < 3; ++axis) model.slope[axis] = slope * a.slope[axis];
+  for (int axis = 0; axis < maximum_variables; ++axis) model.slope[axis] = slope * a.slope[axis];
   model.error = std::fabs(slope) * a.error + remainder.radius() + 1e-15 * std::fabs(f);
   return closed(model);
 }
 
 }  // namespace
 
-TaylorBound::Frame::Frame(const std::array<double, 3>& radius) : previous_(frame_radius) {
+TaylorBound::Frame::Frame(const std::array<double, maximum_variables>& radius)
+    : previous_(frame_radius) {
   frame_radius = radius;
 }
 TaylorBound::Frame::~Frame() { frame_radius = previous_; }
@@ -82,8 +83,10 @@ TaylorBound TaylorBound::coordinate(const Interval& interval, int axis) {
 }
 
 double TaylorBound::linear_extent() const {
-  return std::fabs(slope[0]) * frame_radius[0] + std::fabs(slope[1]) * frame_radius[1] +
-         std::fabs(slope[2]) * frame_radius[2];
+  double extent = 0;
+  for (int axis = 0; axis < maximum_variables; ++axis)
+    extent += std::fabs(slope[axis]) * frame_radius[axis];
+  return extent;
 }
 
 TaylorBound operator+(const TaylorBound& a, const TaylorBound& b) {
@@ -91,7 +94,8 @@ TaylorBound operator+(const TaylorBound& a, const TaylorBound& b) {
   if (b.is_zero()) return a;
   TaylorBound sum;
   sum.value = a.value + b.value;
-  for (int axis = 0; axis < 3; ++axis) sum.slope[axis] = a.slope[axis] + b.slope[axis];
+  for (int axis = 0; axis < maximum_variables; ++axis)
+    sum.slope[axis] = a.slope[axis] + b.slope[axis];
   sum.error = a.error + b.error;
   sum.range = a.range + b.range;
   sum.smooth = a.smooth && b.smooth;
@@ -101,7 +105,7 @@ TaylorBound operator+(const TaylorBound& a, const TaylorBound& b) {
 TaylorBound operator-(const TaylorBound& a) {
   TaylorBound negative = a;
   negative.value = -a.value;
-  for (int axis = 0; axis < 3; ++axis) negative.slope[axis] = -a.slope[axis];
+  for (int axis = 0; axis < maximum_variables; ++axis) negative.slope[axis] = -a.slope[axis];
   negative.range = -a.range;
   return negative;
 }
@@ -112,7 +116,7 @@ TaylorBound operator*(const TaylorBound& a, const TaylorBound& b) {
   if (a.is_zero() || b.is_zero()) return {};
   TaylorBound product;
   product.value = a.value * b.value;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < maximum_variables; ++axis)
     product.slope[axis] = a.value * b.slope[axis] + b.value * a.slope[axis];
   const double a_extent = a.linear_extent(), b_extent = b.linear_extent();
   product.error = (a_extent + a.error) * (b_extent + b.error) + std::fabs(a.value) * b.error +

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/interval.hpp"
+#include "core/multi_index.hpp"
 
 namespace rfm {
 
@@ -21,7 +22,7 @@ namespace rfm {
 /// operation, and the smallest normal number for what underflows.
 struct TaylorBound {
   double value = 0;
-  std::array<double, 3> slope{};
+  std::array<double, maximum_variables> slope{};
   double error = 0;
   Interval range;
   bool smooth = true;
@@ -32,13 +33,13 @@ struct TaylorBound {
   /// Sets the half sides of the box for the models made while it lives.
   class Frame {
    public:
-    explicit Frame(const std::array<double, 3>& radius);
+    explicit Frame(const std::array<double, maximum_variables>& radius);
     ~Frame();
     Frame(const Frame&) = delete;
     Frame& operator=(const Frame&) = delete;
 
    private:
-    std::array<double, 3> previous_;
+    std::array<double, maximum_variables> previous_;
   };
   /// A function of which only the range is known.
   static TaylorBound of_range(const Interval& range, bool smooth);

@@ -101,7 +101,7 @@ Interval Reduction3D::slope_bounds(const Curve& curve, double from, double to) c
   };
   const double reach = curve.slope.magnitude() * radius;
   restrict_to(inner_, middle.position, reach);
-  std::array<std::array<Interval, 3>, 2> gradients;
+  std::array<std::array<Interval, maximum_variables>, 2> gradients;
   if (curve.is_crossing) {
     const auto& g = narrow_[curve.first].gradient;
     restrict_to(height_, middle.height,

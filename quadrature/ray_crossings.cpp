@@ -88,8 +88,9 @@ void cross_function(const LevelFunction& level, const Line& line, double low, do
 
 }  // namespace
 
-void find_crossings(const LevelFunction& level, const std::array<Interval, 3>& gradient,
-                    const Line& line, double low, double high, RayCrossings& crossings) {
+void find_crossings(const LevelFunction& level,
+                    const std::array<Interval, maximum_variables>& gradient, const Line& line,
+                    double low, double high, RayCrossings& crossings) {
   crossings.positions.clear();
   if (const auto polynomial = level.polynomial_along(line))
     return cross_polynomial(*polynomial, low, high, crossings);

@@ -27,7 +27,7 @@ class RayTree {
   /// `max_depth` halvings at most.
   RayTree(const RegionEvaluator& region, const Box& bounds, int max_depth);
 
-  using Gradient = std::array<Interval, 3>;
+  using Gradient = std::array<Interval, maximum_variables>;
 
   const Box& bounds() const { return bounds_; }
   int part_count() const { return static_cast<int>(parts_.size()); }

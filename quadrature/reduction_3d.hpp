@@ -65,7 +65,7 @@ class Reduction3D {
  private:
   /// A curve of the (outer, inner) plane.
   struct Curve {
-    std::array<Interval, 3> gradient;
+    std::array<Interval, maximum_variables> gradient;
     /// Bounds of the slope of the inner coordinate over the outer one.
     Interval slope;
     int first = 0;

@@ -98,7 +98,7 @@ bool Reduction3D::proven_apart(int first, int second) const {
   if (ranges_[first].high < ranges_[second].low || ranges_[second].high < ranges_[first].low)
     return true;
   const LineSegment line{box_.center(), height_, box_.low[height_], box_.high[height_]};
-  std::array<std::array<Interval, 3>, 2> gradients;
+  std::array<std::array<Interval, maximum_variables>, 2> gradients;
   Interval difference = 0.0;
   for (int k = 0; k < 2; ++k) {
     const int i = k == 0 ? first : second;

@@ -159,7 +159,7 @@ Jet<T, 2, 1> coordinate_over(const Box& box, int axis) {
     return Jet<T, 2, 1>::variable(axis, box.interval(axis));
 }
 
-std::array<double, 3> half_sides(const Box& box) {
+std::array<double, maximum_variables> half_sides(const Box& box) {
   return {0.5 * box.length(0) * (1 + 1e-15), 0.5 * box.length(1) * (1 + 1e-15), 0};
 }
 

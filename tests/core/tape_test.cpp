@@ -117,16 +117,32 @@ TEST_P(EveryDimension, PartialDerivativesAreCoefficientsOfHigherJets) {
     }
 }
 
-TEST_P(EveryDimension, OrdersBeyondTheCompiledOnesAreRefused) {
-  const int dimension = GetParam(), highest = dimension == 2 ? 4 : 3;
-  EXPECT_NO_THROW(Tape({x}, {highest}, dimension));
-  EXPECT_THAT([&] { Tape({x}, {highest + 1}, dimension); },
-              ThrowsMessage<InvalidArgument>(
-                  HasSubstr("derivatives of order " + std::to_string(highest + 1))));
+TEST_P(EveryDimension, OrdersBeyondTheHighestAreRefused) {
+  const int dimension = GetParam();
+  EXPECT_NO_THROW(Tape({x}, {maximum_order}, dimension));
+  EXPECT_THAT([&] { Tape({x}, {maximum_order + 1}, dimension); },
+              ThrowsMessage<InvalidArgument>(HasSubstr("derivatives of order 17")));
   Field derivative = sin(x);
-  for (int k = 0; k < highest; ++k) derivative = partial(derivative, 0);
+  for (int k = 0; k < maximum_order; ++k) derivative = partial(derivative, 0);
   EXPECT_NO_THROW(Tape({derivative}, {0}, dimension));
   EXPECT_THROW(Tape({derivative}, {1}, dimension), InvalidArgument);
+}
+
+TEST_P(EveryDimension, TablesAtRunTimeContinueTheCompiledOrders) {
+  // One root of high order makes every node use tables; the other tape does not.
+  const int dimension = GetParam(), compiled = dimension == 2 ? 4 : 3;
+  const Field f = exp(sin(x * y) + 0.3 * z * x) / (2 + cos(x + y - z));
+  const Tape low({f}, {compiled}, dimension), high({f}, {compiled + 2}, dimension);
+  Tape::Workspace low_workspace(low), high_workspace(high);
+  const Points points = random_points(30);
+  low.evaluate(points.block(), low_workspace);
+  high.evaluate(points.block(), high_workspace);
+  for (int k = 0; k < jet_size(dimension, compiled); ++k)
+    for (int i = 0; i < 30; ++i) {
+      const double expected = low_workspace.coefficient(0, k)[i];
+      EXPECT_NEAR(high_workspace.coefficient(0, k)[i], expected, 1e-12 * (1 + std::fabs(expected)));
+      EXPECT_NEAR(high.jet(points[i])[k], expected, 1e-12 * (1 + std::fabs(expected)));
+    }
 }
 
 TEST(Tape, NodesHaveTheOrderThatTheirUsersNeed) {
