@@ -33,11 +33,9 @@ std::string CutPlane::equation() const {
   for (int axis = 0; axis < 3; ++axis) {
     if (normal[axis] == 0) continue;
     const double factor = normal[axis];
-    left += fmt::format("{}{:.4g} {}",
-                        left.empty() ? (factor < 0 ? "-" : "")
-                        : factor < 0 ? " - "
-                                     : " + ",
-                        std::fabs(factor), "xyz"[axis]);
+    left += left.empty() ? (factor < 0 ? "-" : "") : factor < 0 ? " - " : " + ";
+    if (std::fabs(factor) != 1) left += fmt::format("{:.4g} ", std::fabs(factor));
+    left += "xyz"[axis];
     right += factor * point[axis];
     ++axes;
     only_axis = axis;

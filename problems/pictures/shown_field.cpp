@@ -1,5 +1,6 @@
 #include "problems/pictures/shown_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +9,15 @@
 
 namespace rfm {
 namespace {
+
+// A field that is constant but for rounding is constant: a scale over its noise has no numbers.
+ValueRange without_rounding(const ValueRange& range) {
+  constexpr double noise = 1e-12;
+  const double size = std::max(std::fabs(range.low), std::fabs(range.high));
+  if (range.high - range.low > noise * size) return range;
+  const double middle = range.low + 0.5 * (range.high - range.low);
+  return {middle, middle};
+}
 
 ValueRange extended(const ValueRange& range) {
   const double size = range.high - range.low;
@@ -37,7 +47,8 @@ ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
   return shown;
 }
 
-ValueRange shown_range(const Picture& picture, const ValueRange& data) {
+ValueRange shown_range(const Picture& picture, const ValueRange& values) {
+  const ValueRange data = without_rounding(values);
   if (picture.range) return {picture.range->first, picture.range->second};
   if (picture.colours == Picture::Colours::diverging) return extended(symmetric_about_zero(data));
   return extended(data);

@@ -81,7 +81,7 @@ TEST(CutPlane, FacesTheViewerAndSaysWhereItIs) {
   EXPECT_EQ(cut.point, (Point{1, 1.5, 2}));
   EXPECT_EQ(cut.normal, (Point{0, -1, 0}));
   EXPECT_EQ(cut.equation(), "y = 1.5");
-  EXPECT_EQ((CutPlane{{1, 1, 0}, {1, -2, 0}}.equation()), "1 x - 2 y = -1");
+  EXPECT_EQ((CutPlane{{1, 1, 0}, {1, -2, 0}}.equation()), "x - 2 y = -1");
 }
 
 TEST(CutPlane, WithoutADirectionIsRefused) {
