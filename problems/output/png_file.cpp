@@ -1,10 +1,4 @@
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
-
-#include <algorithm>
-#include <fstream>
+#include <png.h>
 
 #include "core/error.hpp"
 #include "problems/output/image.hpp"
@@ -12,23 +6,15 @@
 namespace rfm {
 
 void write_png(const Image& image, const std::string& path) {
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width(), image.height(), 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row = 3 * static_cast<std::size_t>(image.width());
-  for (int y = 0; y < image.height(); ++y)  // VTK counts rows from below
-    std::copy_n(&image.bytes()[row * static_cast<std::size_t>(y)], row,
-                static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height() - 1 - y, 0)));
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToMemoryOn();  // VTK would report a bad path on the terminal
-  writer->Write();
-  vtkUnsignedCharArray* encoded = writer->GetResult();
-  std::ofstream file(path, std::ios::binary);
-  if (encoded)
-    file.write(reinterpret_cast<const char*>(encoded->GetPointer(0)), encoded->GetNumberOfValues());
-  file.close();
-  if (!encoded || !file) throw ComputationError("cannot write " + path);
+  png_image file{};
+  file.version = PNG_IMAGE_VERSION;
+  file.width = static_cast<png_uint_32>(image.width());
+  file.height = static_cast<png_uint_32>(image.height());
+  file.format = PNG_FORMAT_RGB;
+  constexpr int as_they_are = 0, rows_without_gaps = 0;
+  if (!png_image_write_to_file(&file, path.c_str(), as_they_are, image.bytes().data(),
+                               rows_without_gaps, nullptr))
+    throw ComputationError("cannot write " + path + " (" + file.message + ")");
 }
 
 }  // namespace rfm

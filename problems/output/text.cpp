@@ -1,133 +1,104 @@
 #include "problems/output/text.hpp"
 
-// Before VTK 9.2 only the deprecated string type reads UTF-8: of a plain string all letters but
-// ASCII are lost.
-#define VTK_DEPRECATION_LEVEL 0
-#include <vtkFreeTypeTools.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
-#include <vtkVersionMacros.h>
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-#include <vtkUnicodeString.h>
-#else
-#include <vtkStdString.h>
-#endif
+#include <ft2build.h>
+#include FT_FREETYPE_H
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <utility>
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
-
-#ifndef RFM_FONT_FILE
-#define RFM_FONT_FILE ""
-#endif
+#include "problems/output/font.hpp"
 
 namespace rfm {
 namespace {
 
-// Length of the UTF-8 character at the beginning of `text`; 0 if it is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  return length;
-}
-
-// What VTK's own font lacks, in letters that it has.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 45> spelled = {{
-    {"α", "alpha"}, {"β", "beta"},  {"γ", "gamma"},    {"δ", "delta"}, {"ε", "epsilon"},
-    {"ζ", "zeta"},  {"η", "eta"},   {"θ", "theta"},    {"κ", "kappa"}, {"λ", "lambda"},
-    {"μ", "mu"},    {"ν", "nu"},    {"ξ", "xi"},       {"π", "pi"},    {"ρ", "rho"},
-    {"σ", "sigma"}, {"τ", "tau"},   {"φ", "phi"},      {"χ", "chi"},   {"ψ", "psi"},
-    {"ω", "omega"}, {"Γ", "Gamma"}, {"Δ", "Delta"},    {"Θ", "Theta"}, {"Λ", "Lambda"},
-    {"Π", "Pi"},    {"Σ", "Sigma"}, {"Φ", "Phi"},      {"Ψ", "Psi"},   {"Ω", "Omega"},
-    {"∂", "d"},     {"∇", "grad "}, {"−", "-"},        {"–", "-"},     {"—", "-"},
-    {"·", "."},     {"×", "x"},     {"→", "->"},       {"≤", "<="},    {"≥", ">="},
-    {"≈", "~"},     {"…", "..."},   {"∞", "infinity"}, {"√", "sqrt"},  {"°", " deg"},
-}};
-
-const std::string& font_file() {
-  static const std::string file = [] {
-    std::error_code ignored;
-    return std::filesystem::exists(RFM_FONT_FILE, ignored) ? RFM_FONT_FILE : "";
-  }();
-  return file;
-}
-
-std::string printable(const std::string& text) {
-  std::string result;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t length = character_length(rest);
-    const std::string_view character = rest.substr(0, length);
-    rest.remove_prefix(std::max<std::size_t>(length, 1));
-    if (length == 0) continue;
-    if (length == 1 && static_cast<unsigned char>(character[0]) < 0x20) {
-      result += ' ';
-      continue;
-    }
-    const auto known =
-        font_file().empty()
-            ? std::ranges::find(spelled, character, [](const auto& s) { return s.first; })
-            : spelled.end();
-    result += known != spelled.end() ? known->second : character;
+// The Unicode characters of UTF-8; bytes that are none are left out, control characters are blanks.
+std::vector<char32_t> characters(std::string_view text) {
+  std::vector<char32_t> result;
+  while (!text.empty()) {
+    const auto first = static_cast<unsigned char>(text[0]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    const bool is_first = first < 0x80 || (first >= 0xC2 && first < 0xF5);
+    char32_t character = length == 1 ? first : first & (0xFFu >> (length + 1));
+    std::size_t used = 1;
+    while (is_first && used < length && used < text.size() &&
+           (static_cast<unsigned char>(text[used]) & 0xC0) == 0x80)
+      character = character << 6 | (static_cast<unsigned char>(text[used++]) & 0x3Fu);
+    const bool is_whole = is_first && used == length;
+    if (is_whole) result.push_back(character < 0x20 || character == 0x7F ? U' ' : character);
+    text.remove_prefix(is_whole ? length : 1);
   }
   return result;
+}
+
+class Font {
+ public:
+  Font() {
+    const auto bytes = font_bytes();
+    if (FT_Init_FreeType(&library_) != 0 ||
+        FT_New_Memory_Face(library_, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face_) !=
+            0)
+      throw ComputationError("cannot load the font of pictures");
+  }
+  ~Font() {
+    FT_Done_Face(face_);
+    FT_Done_FreeType(library_);
+  }
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  FT_Face at_size(double size) {
+    constexpr FT_UInt points_are_pixels = 72;
+    FT_Set_Char_Size(face_, 0, std::max(64L, std::lround(64 * size)), points_are_pixels,
+                     points_are_pixels);
+    return face_;
+  }
+
+ private:
+  FT_Library library_ = nullptr;
+  FT_Face face_ = nullptr;
+};
+
+// Adds the glyph that is loaded at pixel (left, top) of the coverage.
+void add_bitmap(const FT_Bitmap& bitmap, int left, int top, Coverage& coverage) {
+  for (int y = 0; y < static_cast<int>(bitmap.rows); ++y)
+    for (int x = 0; x < static_cast<int>(bitmap.width); ++x) {
+      const int column = left + x, row = top + y;
+      if (column < 0 || row < 0 || column >= coverage.width || row >= coverage.height) continue;
+      float& amount = coverage.amount[static_cast<std::size_t>(row) * coverage.width + column];
+      amount = std::max(amount, bitmap.buffer[y * bitmap.pitch + x] / 255.0f);
+    }
 }
 
 }  // namespace
 
 TextImage render_text(const std::string& text, double size) {
-  const std::string content = printable(text);
+  static Font font;
   TextImage result;
-  if (content.find_first_not_of(' ') == std::string::npos) return result;
-  vtkNew<vtkTextProperty> style;
-  style->SetFontSize(std::max(1, static_cast<int>(std::lround(size))));
-  if (!font_file().empty()) {
-    style->SetFontFamily(VTK_FONT_FILE);
-    style->SetFontFile(font_file().c_str());
-  } else {
-    style->SetFontFamilyToArial();
-  }
-  style->SetColor(1, 1, 1);
-  constexpr int points_are_pixels = 72;
-  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
-  tools->ScaleToPowerTwoOff();
-  vtkNew<vtkImageData> image;
-  vtkTextRenderer::Metrics metrics;
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-  const vtkUnicodeString string = vtkUnicodeString::from_utf8(content);
-#else
-  const vtkStdString string(content);
-#endif
-  if (!tools->RenderString(style, string, points_are_pixels, image) ||
-      !tools->GetMetrics(style, string, points_are_pixels, metrics))
-    throw ComputationError("cannot draw the text '" + content + "'");
-  int dimensions[3];
-  image->GetDimensions(dimensions);
+  const std::vector<char32_t> content = characters(text);
+  if (std::ranges::all_of(content, [](char32_t c) { return c == U' '; })) return result;
+  const FT_Face face = font.at_size(size);
+  constexpr FT_Int32 mode = FT_LOAD_TARGET_LIGHT;
+  const auto pixels = [](FT_Pos position) { return static_cast<int>((position + 32) >> 6); };
+  FT_Pos length = 0;
+  for (const char32_t character : content)
+    if (FT_Load_Char(face, character, mode) == 0) length += face->glyph->advance.x;
+  result.ascent = pixels(face->size->metrics.ascender);
   Coverage& coverage = result.coverage;
-  coverage.width = dimensions[0];
-  coverage.height = dimensions[1];
-  coverage.amount.resize(static_cast<std::size_t>(coverage.width) * coverage.height);
-  const int components = image->GetNumberOfScalarComponents();
-  const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
-  for (int y = 0; y < coverage.height; ++y)  // VTK counts rows from below
-    for (int x = 0; x < coverage.width; ++x)
-      coverage.amount[static_cast<std::size_t>(coverage.height - 1 - y) * coverage.width + x] =
-          static_cast<float>(bytes[components * (y * coverage.width + x) + components - 1] / 255.0);
-  result.ascent = coverage.height + metrics.Descent[1];  // downwards is negative
+  coverage.width = pixels(length) + 1;
+  coverage.height = result.ascent - pixels(face->size->metrics.descender);
+  coverage.amount.assign(static_cast<std::size_t>(coverage.width) * coverage.height, 0.0f);
+  FT_Pos pen = 0;
+  for (const char32_t character : content) {
+    if (FT_Load_Char(face, character, mode | FT_LOAD_RENDER) != 0) continue;
+    const FT_GlyphSlot glyph = face->glyph;
+    add_bitmap(glyph->bitmap, pixels(pen) + glyph->bitmap_left, result.ascent - glyph->bitmap_top,
+               coverage);
+    pen += glyph->advance.x;
+  }
   return result;
 }
 
