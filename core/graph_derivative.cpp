@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/field_node.hpp"
 
 namespace rfm {
 namespace {
@@ -131,9 +132,7 @@ Field GraphDerivative::of_node(const Field& f) const {
                  ? 1.0
                  : 0.0;
     case Operation::source:
-      if (variable_.node().operation == Operation::coordinate && variable_.node().index < 3)
-        throw InvalidArgument("a sampled field is differentiated in space by partial() alone");
-      return 0.0;
+      return of_source(f);
     default:
       break;
   }
@@ -157,6 +156,25 @@ Field GraphDerivative::of_node(const Field& f) const {
   }
   if (arguments.size() == 1) return slope(node.operation, f, a) * da;
   return derivative(node.operation, f, a, arguments[1], da, known(arguments[1]));
+}
+
+// The chain rule: Σᵢ (∂^{α+eᵢ} s)(place) ∂placeᵢ.
+Field GraphDerivative::of_source(const Field& f) const {
+  const Field::Node& node = f.node();
+  std::vector<Field> place = node.arguments, slopes;
+  for (const Field& argument : place) slopes.push_back(known(argument));
+  if (place.empty())
+    for (int axis = 0; axis < node.source->valid().dimension; ++axis) {
+      place.push_back(coordinate(axis));
+      slopes.push_back(of_node(place.back()));
+    }
+  Field sum = 0.0;
+  for (std::size_t axis = 0; axis < place.size(); ++axis)
+    if (!slopes[axis].is_constant(0))
+      sum = sum + field_at(node.source, place,
+                           source_derivative(node.index) + unit_index(static_cast<int>(axis))) *
+                      slopes[axis];
+  return sum;
 }
 
 Field GraphDerivative::of(const Field& f) {

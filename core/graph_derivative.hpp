@@ -18,8 +18,7 @@ class GraphDerivative {
  public:
   /// `variable` is a coordinate or a parameter, else `InvalidArgument` is thrown.
   explicit GraphDerivative(const Field& variable);
-  /// Throws `InvalidArgument` where a sampled field (FieldSource) must be differentiated along a
-  /// coordinate of space: `partial` does that.
+  /// The derivative of a sampled field along a coordinate is one of its derivatives, sampled.
   Field of(const Field& f);
 
  private:
@@ -27,6 +26,7 @@ class GraphDerivative {
     Field node, derivative;  // the node is kept alive: its address is the key
   };
   Field of_node(const Field& f) const;
+  Field of_source(const Field& f) const;
   const Field& known(const Field& f) const { return known_.at(&f.node()).derivative; }
 
   Field variable_;

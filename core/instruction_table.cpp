@@ -52,7 +52,7 @@ bool InstructionTable::folded(Instruction& instruction) const {
   const auto& [a, b, c] = instruction.operands;
   for (const int operand : {a, b, c})
     if (operand >= 0 && !is(operand, Operation::constant)) return false;
-  if (a < 0) return false;
+  if (a < 0 || instruction.operation == Operation::source) return false;
   using Number = Jet<double, 1, 0>;
   const auto number = [&](int operand) {
     return Number(operand < 0 ? 0.0 : instructions_[operand].number);

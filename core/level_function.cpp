@@ -19,7 +19,7 @@ std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int d
     pending.pop_back();
     if (!seen.insert(node).second) continue;
     for (const Field& argument : node->arguments) pending.push_back(&argument.node());
-    if (!node->source) continue;
+    if (!node->source || !node->arguments.empty()) continue;  // not where the source is
     for (int axis = 0; axis < dimension; ++axis) {
       const std::vector<double> more = node->source->breakpoints(axis);
       breakpoints[axis].insert(breakpoints[axis].end(), more.begin(), more.end());

@@ -134,8 +134,13 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
       continue;
     }
     double* const jets = memory + step.result;
-    evaluate_source(*program_->instructions[step.index].source, variables_, points.coordinates,
-                    points.count, step.order, jets, block_size);
+    const Instruction& source = program_->instructions[step.index];
+    if (source.operands[0] >= 0) {
+      evaluate_composed_source(source, step, memory, padded);
+      continue;
+    }
+    evaluate_source(*source.source, variables_, points.coordinates, points.count, step.order, jets,
+                    block_size);
     for (int k = 0; k < jet_size(dimension(), step.order); ++k) pad(jets + k * block_size);
   }
 }

@@ -5,11 +5,37 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/composed_source.hpp"
 #include "core/error.hpp"
 #include "core/operation_rules.hpp"
 #include "core/tape_program.hpp"
 
 namespace rfm {
+
+/// A sampled field at a mapped point, or its bounds where the map leads: see
+/// core/composed_source.hpp.
+template <class T, int N, int K>
+Jet<T, N, K> composed_source(const Tape::Program& program, const Instruction& instruction,
+                             const std::vector<Jet<T, N, K>>& results) {
+  constexpr bool is_dynamic = N == run_time;
+  const JetShape& shape = is_dynamic
+                              ? JetShape::get(program.variables.count(), program.highest_order)
+                              : JetShape::get(std::max(N, 1), std::max(K, 0));
+  std::vector<DynamicJet<T>> place;
+  for (const int operand : instruction.operands) {
+    if (operand < 0) break;
+    place.emplace_back(shape);
+    for (int i = 0; i < shape.size(); ++i) place.back().c[i] = coefficient(results[operand], i);
+  }
+  const DynamicJet<T> composed = jet_of_source<T>(*instruction.source, instruction.index, place);
+  if constexpr (is_dynamic) {
+    return composed;
+  } else {
+    Jet<T, N, K> jet;
+    for (int i = 0; i < jet.size; ++i) jet.c[i] = coefficient(composed, i);
+    return jet;
+  }
+}
 
 /// One point, or bounds over a box: jets of any kind of number, all registers at the tape's highest
 /// order. `leaf(instruction)` gives the jets of coordinates, parameters and sources.
@@ -33,8 +59,12 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
         break;
       case Operation::coordinate:
       case Operation::parameter:
-      case Operation::source:
         results[i] = leaf(instruction);
+        break;
+      case Operation::source:
+        results[i] = instruction.operands[0] < 0
+                         ? leaf(instruction)
+                         : composed_source<T, N, K>(program, instruction, results);
         break;
       case Operation::partial:
         results[i] = differentiate(operand(0), instruction.index);

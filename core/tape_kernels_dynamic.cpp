@@ -1,3 +1,4 @@
+#include "core/composed_source.hpp"
 #include "core/operation_rules.hpp"
 #include "core/tape_program.hpp"
 
@@ -87,6 +88,34 @@ void partial(const Step& step, double* memory, int count) {
 }
 
 }  // namespace
+
+void evaluate_composed_source(const Instruction& instruction, const Step& step, double* memory,
+                              int count) {
+  const FieldSource& source = *instruction.source;
+  const MultiIndex alpha = source_derivative(instruction.index);
+  const JetShape& shape = shape_of(step);
+  const int axes = source.valid().dimension;
+  const JetShape& outer_shape = JetShape::get(axes, shape.order() + degree(alpha));
+  std::array<double, 3 * block> places;
+  std::array<const double*, 3> coordinates{};
+  for (int axis = 0; axis < axes; ++axis) {
+    const Part& value = step.arguments[axis].value;
+    double* const row = places.data() + axis * block;
+    for (int lane = 0; lane < count; ++lane)
+      row[lane] = memory[value.offset() + lane * value.stride()];
+    coordinates[axis] = row;
+  }
+  std::vector<double> jets(static_cast<std::size_t>(outer_shape.size()) * block);
+  source.evaluate(coordinates, count, axes, outer_shape.order(), jets.data(), block);
+  std::vector<BatchJet> place(axes);
+  for (int lane = 0; lane < count; lane += width) {
+    for (int axis = 0; axis < axes; ++axis)
+      place[axis] = load(shape, step.arguments[axis], memory, lane);
+    const Register outer = Register::dense(0, axes);
+    store(compose_outer<Batch>(shape, load(outer_shape, outer, jets.data(), lane), alpha, place),
+          shape, memory + step.result + lane);
+  }
+}
 
 Kernel find_dynamic_kernel(Operation operation) {
   switch (operation) {

@@ -93,6 +93,10 @@ void evaluate_source(const FieldSource& source, const Variables& variables,
                      const std::array<const double*, 3>& coordinates, int count, int order,
                      double* jets, int stride);
 
+/// The same of a source at the places that its arguments give, for `padded_count` points.
+void evaluate_composed_source(const Instruction& instruction, const Step& step, double* memory,
+                              int padded_count);
+
 /// Hash-conses the graphs of `roots`, and finds the order that each node needs.
 /// Throws `InvalidArgument` where a higher order than the highest is needed.
 std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,

@@ -26,7 +26,8 @@ Interval range_of(const Instruction& instruction, const std::vector<Interval>& k
     case Operation::partial:
       return Interval::entire();
     case Operation::source:
-      return instruction.source->bounds(box).value;
+      return instruction.operands[0] < 0 ? instruction.source->bounds(box).value
+                                         : Interval::entire();
     case Operation::integer_power:
       return integer_power(a, instruction.index).value();
     case Operation::real_power:

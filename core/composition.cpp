@@ -1,0 +1,95 @@
+#include "core/composition.hpp"
+
+#include <map>
+#include <unordered_map>
+
+#include "core/field_node.hpp"
+#include "core/graph_derivative.hpp"
+
+namespace rfm {
+namespace {
+
+// Rebuilds a graph from its leaves upwards, with `leaf` for nodes without arguments and `inner` for
+// the others, which receives the rebuilt arguments. Nodes whose arguments stay are kept.
+template <class Leaf, class Inner>
+Field rebuild(const Field& root, const Leaf& leaf, const Inner& inner) {
+  std::unordered_map<const Field::Node*, Field> rebuilt;
+  std::vector<Field> pending{root};
+  while (!pending.empty()) {
+    const Field field = pending.back();
+    const Field::Node& node = field.node();
+    if (rebuilt.contains(&node)) {
+      pending.pop_back();
+      continue;
+    }
+    bool ready = true;
+    for (const Field& argument : node.arguments)
+      if (!rebuilt.contains(&argument.node())) {
+        pending.push_back(argument);
+        ready = false;
+      }
+    if (!ready) continue;
+    pending.pop_back();
+    if (node.arguments.empty()) {
+      rebuilt.emplace(&node, leaf(field));
+      continue;
+    }
+    std::vector<Field> arguments;
+    for (const Field& argument : node.arguments) arguments.push_back(rebuilt.at(&argument.node()));
+    rebuilt.emplace(&node, inner(field, std::move(arguments)));
+  }
+  return rebuilt.at(&root.node());
+}
+
+bool same_arguments(const Field& field, const std::vector<Field>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (!arguments[i].same_as(field.node().arguments[i])) return false;
+  return true;
+}
+
+// Every partial derivative as an expression without partial derivatives.
+Field without_partials(const Field& f) {
+  std::map<int, GraphDerivative> along;
+  return rebuild(
+      f, [](const Field& leaf) { return leaf; },
+      [&](const Field& field, std::vector<Field> arguments) -> Field {
+        const Field::Node& node = field.node();
+        if (node.operation == Operation::partial)
+          return along.try_emplace(node.index, coordinate(node.index))
+              .first->second.of(arguments[0]);
+        return same_arguments(field, arguments) ? field : with_arguments(field, arguments);
+      });
+}
+
+}  // namespace
+
+Field compose(const Field& f, const std::vector<Field>& map) {
+  const auto image = [&](int index) {
+    return index < static_cast<int>(map.size()) ? map[index] : coordinate(index);
+  };
+  return rebuild(
+      without_partials(f),
+      [&](const Field& leaf) -> Field {
+        const Field::Node& node = leaf.node();
+        if (node.operation == Operation::coordinate)
+          return node.index < static_cast<int>(map.size()) ? map[node.index] : leaf;
+        if (node.operation != Operation::source) return leaf;
+        std::vector<Field> place;
+        for (int axis = 0; axis < node.source->valid().dimension; ++axis)
+          place.push_back(image(axis));
+        return field_at(node.source, std::move(place));
+      },
+      [](const Field& field, std::vector<Field> arguments) -> Field {
+        return same_arguments(field, arguments) ? field
+                                                : with_arguments(field, std::move(arguments));
+      });
+}
+
+Field normalizer(const Field& f, const Field& omega, int dimension) {
+  std::vector<Field> foot;
+  for (int axis = 0; axis < dimension; ++axis)
+    foot.push_back(coordinate(axis) - omega * partial(omega, axis));
+  return compose(f, foot);
+}
+
+}  // namespace rfm
