@@ -18,7 +18,7 @@ TaylorBound from_range(const Interval& range, bool smooth) {
 // Closes an operation: rounding margin, then the range from both sides.
 TaylorBound closed(TaylorBound model) {
   const double extent = model.linear_extent();
-  const double margin = 4e-16 * (std::fabs(model.value) + extent + model.error);
+  const double margin = 2e-15 * (std::fabs(model.value) + extent + model.error);
   model.error += margin + std::numeric_limits<double>::min();  // results may have underflowed
   const double reach = extent + model.error;
   if (!(reach < huge) || !(std::fabs(model.value) < huge))

@@ -18,8 +18,16 @@ namespace rfm {
 /// range. `smooth` turns false when an argument touches a point where an operation is not smooth.
 ///
 /// The box is that of `TaylorBound::Frame` in force on the thread: models over different boxes must
-/// not be mixed. Rounding is covered by a margin of 4·10⁻¹⁶ of the sizes involved in each
-/// operation, and the smallest normal number for what underflows.
+/// not be mixed.
+///
+/// Rounding is covered by a margin of m = 2·10⁻¹⁵ ≈ 18 u of |value| + Σ|slope·radius| + error after
+/// each operation (u = 2⁻⁵³), and the smallest normal number for what underflows. The worst case is
+/// the product. Its value is rounded once: u |value|. A slope a₀bᵢ + b₀aᵢ has an error of 3/2 u
+/// (|t| + |t′|), t and t′ its two terms times the radius; they may cancel, but |t| + |t′| =
+/// |t + t′| + 2 min(|t|, |t′|) at most, and 2 min ≤ 2 √|t t′| ≤ |a₀ b₀| + |aᵢ bᵢ| rᵢ², of which the
+/// first is the value and the second part of the error: 3/2 u (extent + 3 |value| + error) for
+/// three axes. The error itself is a sum of products of positive numbers, of which the longest has
+/// 12 roundings: 12 u error. Together 5.5 u |value| + 1.5 u extent + 13.5 u error < m.
 struct TaylorBound {
   double value = 0;
   std::array<double, maximum_variables> slope{};

@@ -243,6 +243,22 @@ TEST(Tape, ChainsOf100000NodesAreBuiltEvaluatedAndDestroyed) {
   EXPECT_NEAR(workspace.coefficient(0, 2)[3], 1, 1e-9);
 }
 
+TEST(Tape, DeepGraphsHaveBoundsCopiesAndSpecialTapes) {
+  constexpr int length = 100000;
+  Field deep = x;
+  for (int i = 0; i < length; ++i) deep = i % 2 == 0 ? max(deep, y - (i + 1)) : sqrt(1 + deep) - 1;
+  const Field copy = deep;
+  deep = Field();
+  const Tape tape({copy}, {1}, 2);
+  const Box box{2, {0.25, 0}, {0.5, 1}};
+  const Interval range = tape.value_bounds(box);
+  EXPECT_TRUE(range.contains(tape.value({0.3, 0.5})));
+  EXPECT_TRUE(tape.bounds(box).value.contains(tape.value({0.4, 0.1})));
+  const Tape special = tape.specialised(box);
+  EXPECT_LT(special.instruction_count(), tape.instruction_count());
+  EXPECT_EQ(special.value({0.3, 0.5}), tape.value({0.3, 0.5}));
+}
+
 // Random graphs. Values stay moderate: every step is bounded.
 std::vector<Field> random_graph(std::mt19937& generator, int size) {
   std::vector<Field> nodes{x, y, z, 0.7};
