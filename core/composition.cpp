@@ -47,7 +47,8 @@ bool same_arguments(const Field& field, const std::vector<Field>& arguments) {
   return true;
 }
 
-// Every partial derivative as an expression without partial derivatives.
+}  // namespace
+
 Field without_partials(const Field& f) {
   std::map<int, GraphDerivative> along;
   return rebuild(
@@ -60,8 +61,6 @@ Field without_partials(const Field& f) {
         return same_arguments(field, arguments) ? field : with_arguments(field, arguments);
       });
 }
-
-}  // namespace
 
 Field compose(const Field& f, const std::vector<Field>& map) {
   const auto image = [&](int index) {

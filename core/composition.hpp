@@ -19,6 +19,9 @@ namespace rfm {
 /// deep.
 Field compose(const Field& f, const std::vector<Field>& map);
 
+/// The same function with every partial derivative written out as an expression.
+Field without_partials(const Field& f);
+
 /// The normalizer f*(x) = f(x − ω∇ω) of Shapiro (2007), (7.2): where ω is normalised to first
 /// order, f* = f on ω = 0 and has no normal derivative there.
 Field normalizer(const Field& f, const Field& omega, int dimension);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "core/composition.hpp"
 #include "core/error.hpp"
 #include "core/instruction_table.hpp"
 #include "core/tape_program.hpp"
@@ -41,6 +42,7 @@ class Compiler {
   }
 
   InstructionTable table;
+  bool has_held_partial = false;  ///< along a coordinate in which no jets are taken
 
  private:
   static std::uint64_t hash_of(const Field::Node* node) {
@@ -65,9 +67,7 @@ class Compiler {
       if (variables_.vanishes(node.index)) instruction = Instruction();
     }
     if (instruction.operation == Operation::partial) {
-      if (instruction.variable < 0)
-        throw InvalidArgument("a derivative along coordinate number " + std::to_string(node.index) +
-                              " is needed, which is none of the tape's variables");
+      has_held_partial = has_held_partial || instruction.variable < 0;
       instruction.index = std::exchange(instruction.variable, -1);
     }
     return table.add(std::move(instruction));
@@ -132,6 +132,11 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
   Compiler compiler(variables);
   auto program = std::make_unique<Tape::Program>(variables);
   for (const Field& root : roots) program->root_instructions.push_back(compiler.add(root));
+  if (compiler.has_held_partial) {
+    std::vector<Field> expressions;
+    for (const Field& root : roots) expressions.push_back(without_partials(root));
+    return compile(expressions, orders, variables);
+  }
   program->instructions = std::move(compiler.table).take();
   return finished(std::move(program), orders);
 }
