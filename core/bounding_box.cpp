@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/intersection.hpp"
+#include "core/reach.hpp"
 
 namespace rfm {
 namespace {
@@ -16,8 +17,9 @@ constexpr double horizon = 1e15;
 
 struct Candidate {
   Box box;
-  double reach;  // how far the box extends in the direction of the search
+  double reach;  // how far the box extends in the direction of the search, rounded up
   int depth;
+  bool settled;  // narrow, and trimmed for the last time
   // The farthest first; of several as far the smallest, so that a flat face is not searched all
   // along its length.
   bool operator<(const Candidate& other) const {
@@ -25,11 +27,15 @@ struct Candidate {
   }
 };
 
+// How boxes are cut off at their far side. Far from the region only trying slab after slab tells;
+// near it the bounds of second order do, at once.
+enum class Trim { by_slabs, by_reach };
+
 // One side of the bounding box: the largest value of ±x_axis over the region.
 class SideSearch {
  public:
-  SideSearch(const RegionEvaluator& region, int axis, bool upper)
-      : region_(region), axis_(axis), upper_(upper) {}
+  SideSearch(const RegionEvaluator& region, int axis, bool upper, Trim trim)
+      : region_(region), axis_(axis), upper_(upper), trim_(trim) {}
 
   struct Result {
     double side = 0;
@@ -41,18 +47,26 @@ class SideSearch {
     constexpr int most_boxes = 5000;  // then the bound at hand, still from outside, is taken
     const double thinnest = tolerance * start.length(axis_);
     std::priority_queue<Candidate> queue;
+    // Differences below `thinnest` are rounding.
+    const auto enqueue = [&](const std::optional<Box>& box, int depth, bool settled) {
+      if (box) queue.push({*box, thinnest * std::ceil(extent(*box) / thinnest), depth, settled});
+    };
     const auto push = [&](const Box& box, int depth) {
-      const Box shaved = shave(box, thinnest);
-      if (shaved.length(axis_) > 0) queue.push({shaved, reach(shaved), depth});
+      enqueue(trim_ == Trim::by_slabs ? without_slabs(box, thinnest) : reached(box), depth, false);
     };
     push(start, 0);
     for (int visited = 0; !queue.empty(); ++visited) {
-      const auto [box, ignored, depth] = queue.top();
+      const auto [box, farthest, depth, settled] = queue.top();
       queue.pop();
       const int widest = widest_axis(box, start, std::sqrt(tolerance));
+      if (widest < 0 && !settled && trim_ == Trim::by_reach) {
+        // Bounds of the value alone may be exact (of quadrics they are).
+        enqueue(without_slabs(box, thinnest), depth, true);
+        continue;
+      }
       if (widest < 0 || visited > most_boxes) {
-        Result result{upper_ ? box.high[axis_] : box.low[axis_], box, widest < 0};
-        (upper_ ? result.extreme.low : result.extreme.high)[axis_] = result.side;
+        Result result{upper_ ? farthest : -farthest, box, widest < 0};
+        result.extreme.low[axis_] = result.extreme.high[axis_] = result.side;
         return result;
       }
       for (const Box& half : bisect(box, widest)) push(half, depth + 1);
@@ -61,15 +75,19 @@ class SideSearch {
   }
 
  private:
-  double reach(const Box& box) const { return upper_ ? box.high[axis_] : -box.low[axis_]; }
+  double extent(const Box& box) const { return upper_ ? box.high[axis_] : -box.low[axis_]; }
+
+  std::optional<Box> reached(Box box) const {
+    const auto farthest = reach(region_, box, axis_, upper_);
+    if (!farthest) return {};
+    (upper_ ? box.high : box.low)[axis_] = *farthest;
+    return box;
+  }
 
   // Takes slabs off the far side as long as they are proved to lie outside the region, thinner and
-  // thinner ones; leaves nothing where all of the box is outside.
-  Box shave(Box box, double thinnest) const {
-    if (region_.contains(box) == Truth::no) {
-      box.high[axis_] = box.low[axis_];
-      return box;
-    }
+  // thinner ones.
+  std::optional<Box> without_slabs(Box box, double thinnest) const {
+    if (region_.contains(box) == Truth::no) return {};
     double& far = upper_ ? box.high[axis_] : box.low[axis_];
     const double rounding =
         0x1p-50 * std::max(std::fabs(box.high[axis_]), std::fabs(box.low[axis_]));
@@ -81,17 +99,19 @@ class SideSearch {
       else
         slab *= 0.5;
     }
-    return box;
+    return box.length(axis_) > 0 ? std::optional(box) : std::nullopt;
   }
 
-  // The widest of the other axes, or −1 when all are narrow. Bounds are of second order, so that a
-  // box of width √δ has its far side right to δ.
+  // The widest axis, or −1 when all are narrow: of the others, and of that of the search where
+  // boxes are not cut off by slabs anyway. Bounds are of second order, so that a box of width √δ
+  // has its far side right to δ.
   int widest_axis(const Box& box, const Box& start, double narrow) const {
     int widest = -1;
     double width = narrow;
     for (int axis = 0; axis < box.dimension; ++axis) {
+      if (axis == axis_ && trim_ == Trim::by_slabs) continue;
       const double relative = box.length(axis) / start.length(axis);
-      if (axis != axis_ && relative > width) width = relative, widest = axis;
+      if (relative > width) width = relative, widest = axis;
     }
     return widest;
   }
@@ -99,6 +119,7 @@ class SideSearch {
   const RegionEvaluator& region_;
   int axis_;
   bool upper_;
+  Trim trim_;
 };
 
 // Whether the curve {f = g = 0} runs across `axis` at a point, so that its extreme may lie there.
@@ -110,7 +131,7 @@ bool turns(const LevelFunction& f, const LevelFunction& g, const Point& point, i
   g.value_and_gradient(point, b);
   const Point tangent{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                       a[0] * b[1] - a[1] * b[0]};
-  return std::fabs(tangent[axis]) <= 1e-6 * std::hypot(tangent[0], tangent[1], tangent[2]);
+  return std::fabs(tangent[axis]) <= 1e-12 * std::hypot(tangent[0], tangent[1], tangent[2]);
 }
 
 // The exact coordinate of a flat face or a corner near the extreme box, or `side` unchanged.
@@ -166,14 +187,14 @@ Box bounding_box(const RegionEvaluator& region) {
     box.low[axis] = -horizon;
     box.high[axis] = horizon;
   }
-  const auto contract = [&](double tolerance, bool polish) {
+  const auto contract = [&](double tolerance, Trim trim) {
     Box next = box;
     for (int axis = 0; axis < dimension; ++axis) {
       for (const bool upper : {false, true}) {
-        const auto found = SideSearch(region, axis, upper).run(box, tolerance);
+        const auto found = SideSearch(region, axis, upper, trim).run(box, tolerance);
         if (!found) throw InvalidArgument("the region is empty");
         double side = found->side;
-        if (polish && found->converged)
+        if (trim == Trim::by_reach && found->converged)
           side = polished(region, found->extreme, axis, side,
                           std::sqrt(tolerance) * box.longest_side());
         (upper ? next.high : next.low)[axis] = side;
@@ -184,7 +205,7 @@ Box bounding_box(const RegionEvaluator& region) {
   // From the horizon inwards, a factor of about 20 at a time; where bounds over so large boxes are
   // too weak to shrink it, more finely.
   for (double tolerance = 0.05; tolerance > 1e-4;) {
-    const Box next = contract(tolerance, false);
+    const Box next = contract(tolerance, Trim::by_slabs);
     bool shrinking = false;
     for (int axis = 0; axis < dimension; ++axis)
       shrinking = shrinking || next.length(axis) < 0.7 * box.length(axis);
@@ -196,7 +217,7 @@ Box bounding_box(const RegionEvaluator& region) {
       if (std::fabs((upper ? box.high : box.low)[axis]) >= 0.9 * horizon)
         throw InvalidArgument("the region is not bounded in the direction " +
                               direction_name(axis, upper));
-  return contract(1e-13, true);
+  return contract(1e-13, Trim::by_reach);
 }
 
 }  // namespace rfm

@@ -6,10 +6,11 @@
 namespace rfm {
 
 /// The smallest box that holds the region, found by branch and bound on the bounds of its
-/// primitives: rigorous from outside, and within 10⁻¹² of its size from inside where the extreme is
-/// smooth. Where a flat face or a corner of two primitives is extreme, its coordinate is exact to
-/// rounding, so that grid lines fall on such faces exactly; at other corners (of one primitive that
-/// is not smooth) it is within 10⁻⁶.
+/// primitives (`reach`): rigorous from outside, and within 10⁻¹² of its size from inside where the
+/// extreme is smooth or lies on an edge. Where a flat face, a straight edge or a corner of two
+/// primitives (of three in space) is extreme, its coordinate is exact to rounding, so that grid
+/// lines fall on such faces exactly; at other corners (of one primitive that is not smooth) it is
+/// within 10⁻⁶.
 ///
 /// Throws `InvalidArgument` if the region is empty, or not bounded within ±10¹⁵ (the message names
 /// the direction).
