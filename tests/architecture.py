@@ -4,7 +4,8 @@
     core <- basis, quadrature, solution_structures (siblings: never each other) <- solvers
          <- problems <- tests
 
-Also: only problems/output includes VTK, and only problems includes yaml-cpp and CLI11.
+Also: only problems/output includes VTK, only problems includes yaml-cpp and CLI11, and every test
+is registered in tests/CMakeLists.txt.
 """
 
 import pathlib
@@ -49,12 +50,24 @@ def violations(root: pathlib.Path):
                             yield f"{name} includes <{header}>: only {only} may"
 
 
+def unregistered_tests(root: pathlib.Path):
+    """Every ..._test.cpp under tests/ stands among the sources of a call of rfm_unit_tests."""
+    lists = (root / "tests/CMakeLists.txt").read_text(encoding="utf-8")
+    calls = re.findall(r"rfm_unit_tests\((.*?)\)", lists, re.DOTALL)
+    registered = {source for call in calls for source in call.split()}
+    for path in sorted((root / "tests").rglob("*_test.cpp")):
+        name = path.relative_to(root / "tests").as_posix()
+        if name not in registered:
+            yield f"tests/{name} is not registered in tests/CMakeLists.txt"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]
-    found = list(violations(root.resolve()))
+    root = root.resolve()
+    found = [*violations(root), *unregistered_tests(root)]
     for line in found:
         print(line)
-    print(f"{len(found)} violations of the ladder of folders")
+    print(f"{len(found)} violations of the architecture")
     return 1 if found else 0
 
 
