@@ -43,6 +43,10 @@ TEST(Contact, OutsideTheRegionDoesNotCount) {
   const RegionEvaluator region(half_plane({0, 0}, {0.5, -1}) & half_plane({0, 0}, {0.5, 1}) &
                                box({0.5, -1}, {1, 1}));
   EXPECT_EQ(contact(plain(0), plain(1), region, {2, {0.5, -0.5}, {1, 0.5}}), Contact::none);
+  // Also if they cross so close to it that no box separates them.
+  const RegionEvaluator close(half_plane({0, 0}, {0.5, -1}) & half_plane({0, 0}, {0.5, 1}) &
+                              box({1e-4, -1}, {1, 1}));
+  EXPECT_EQ(contact(plain(0), plain(1), close, {2, {1e-4, -0.5}, {1, 0.5}}), Contact::none);
 }
 
 TEST(Contact, TurnsWithTheSignOfALiteral) {

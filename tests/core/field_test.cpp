@@ -100,6 +100,13 @@ TEST(Field, GenericLambdasAreFields) {
   EXPECT_EQ(value_at(field([](auto a, auto b, auto c) { return a * b * c; }), {2, 3, 5}), 30);
 }
 
+TEST(Field, ChainsOfAMillionNodesAreDestroyedWithoutRecursion) {
+  // A stack of 8 MB holds some 100,000 calls of a destructor.
+  Field chain = x;
+  for (int i = 0; i < 1000000; ++i) chain = sin(chain);
+  EXPECT_FALSE(chain.is_constant());
+}
+
 TEST(Field, WrongBuildersAreRefused) {
   EXPECT_THROW(apply(Operation::sin, {x, y}), InvalidArgument);
   EXPECT_THROW(apply(Operation::coordinate, {}), InvalidArgument);

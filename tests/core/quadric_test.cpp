@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/evaluate.hpp"
@@ -107,6 +108,15 @@ TEST(Quadric, BoundsOfACircleAreItsRange) {
   const Interval range = quadric->value_bounds({2, {-0.5, 0.25}, {1, 0.5}});
   EXPECT_NEAR(range.low, -0.25, 1e-15);
   EXPECT_NEAR(range.high, 1 - 0.0625, 1e-15);
+}
+
+TEST(Quadric, MixedTermsDoNotSpoilTheBoundsOfAThinTurnedEllipse) {
+  // Along the diagonal with radii 1 and 0.01; on this box |y − x| ≥ 0.05, so that 1 − ξ² − η² is at
+  // most 1 − 0.05²/(2 · 0.01²) = −11.5. Term by term the upper bound would be above 1000.
+  const auto quadric = as_quadric(level_of(ellipse({0, 0}, {1, 0.01}, std::numbers::pi / 4)), 2);
+  const double upper = quadric->value_bounds({2, {0.5, 0.2}, {1, 0.45}}).high;
+  EXPECT_LT(upper, -11.4);
+  EXPECT_GT(upper, -13);
 }
 
 TEST(Quadric, OtherFunctionsAreRefused) {

@@ -109,6 +109,27 @@ TEST(Weight, ConjunctsThatDoNotMeetTheRegionAreLeftOut) {
   const Region region = circle({0, 0}, 1).named("disk") & box({-9, -9}, {9, 9}).named("far") &
                         !circle({5, 0}, 1).named("away");
   EXPECT_EQ(weight_of(region).formula, "omega(disk)");
+  // In a corner of the bounding box, but off the disk.
+  EXPECT_EQ(
+      weight_of(circle({0, 0}, 1).named("disk") - circle({0.9, 0.9}, 0.2).named("corner")).formula,
+      "omega(disk)");
+}
+
+TEST(Weight, OfEveryRuleVanishesToFirstOrderOnTheBoundary) {
+  // u − g = O(ω) needs a normal derivative that is not zero.
+  const Region ring = circle({0, 0}, 1) - circle({0.2, 0.1}, 0.35);
+  for (const CombineRule rule :
+       {CombineRule::automatic, CombineRule::r0, CombineRule::r1, CombineRule::product}) {
+    const Field omega = weight_of(ring, rule).function;
+    for (const double t : {0.3, 2.0, 4.1})
+      for (const Point& at : {Point{std::cos(t), std::sin(t)},
+                              Point{0.2 + 0.35 * std::cos(t), 0.1 + 0.35 * std::sin(t)}}) {
+        const PointJet jet = evaluate(omega, at, 1, 2);
+        EXPECT_NEAR(jet.value(), 0, 1e-15);
+        EXPECT_GT(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 0.1);
+      }
+    EXPECT_GT(value_at(omega, {0.7, 0}), 0);
+  }
 }
 
 TEST(Weight, RulesOverrideTheChoice) {

@@ -47,10 +47,13 @@ TEST(Dirichlet, StructureEqualsItsDataOnTheBoundaryForAnyUnknown) {
 }
 
 TEST(Dirichlet, StructureIsTheDatumAndOmegaTimesTheUnknown) {
-  const Structure structure = dirichlet(x, 1 - y);
+  // The sign of the second term is not seen on the boundary.
+  const Field omega = 1 - y;
+  const Structure structure = dirichlet(x, omega);
   EXPECT_TRUE(structure.inhomogeneous().same_as(x));
   ASSERT_EQ(structure.terms().size(), 1u);
   EXPECT_EQ(structure.terms()[0].unknown, 0);
+  EXPECT_TRUE(structure.terms()[0].coefficient.same_as(omega));
   EXPECT_EQ(structure.derivative_order(), 0);
 }
 
