@@ -1,17 +1,22 @@
 #include "core/level_function.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
-#include "core/quadric.hpp"
+#include "core/point_program.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
 namespace {
 
-// Breakpoints of all sources that an expression uses.
-std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int dimension) {
-  std::array<std::vector<double>, 3> breakpoints;
+Interval within(const Interval& range, const Interval& bounds) {
+  return {std::max(range.low, bounds.low), std::min(range.high, bounds.high)};
+}
+
+// The nodes of an expression that are sources.
+std::vector<const Field::Node*> collect_sources(const Field& field) {
+  std::vector<const Field::Node*> sources;
   std::set<const Field::Node*> seen;
   std::vector<const Field::Node*> pending{&field.node()};
   while (!pending.empty()) {
@@ -19,7 +24,15 @@ std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int d
     pending.pop_back();
     if (!seen.insert(node).second) continue;
     for (const Field& argument : node->arguments) pending.push_back(&argument.node());
-    if (!node->source || !node->arguments.empty()) continue;  // not where the source is
+    if (node->source) sources.push_back(node);
+  }
+  return sources;
+}
+
+std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int dimension) {
+  std::array<std::vector<double>, 3> breakpoints;
+  for (const Field::Node* node : collect_sources(field)) {
+    if (!node->arguments.empty()) continue;  // not where the source is
     for (int axis = 0; axis < dimension; ++axis) {
       const std::vector<double> more = node->source->breakpoints(axis);
       breakpoints[axis].insert(breakpoints[axis].end(), more.begin(), more.end());
@@ -32,41 +45,52 @@ std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int d
   return breakpoints;
 }
 
+// Bounds over all of space by plain intervals. Sources know themselves over finite boxes only.
+Interval range_everywhere(const Field& field, int dimension) {
+  if (!collect_sources(field).empty()) return Interval::entire();
+  Box everywhere;
+  everywhere.dimension = dimension;
+  everywhere.low.fill(-INFINITY);
+  everywhere.high.fill(INFINITY);
+  const Interval range = Tape({field}, {0}, dimension).value_bounds(everywhere);
+  return {std::isnan(range.low) ? -INFINITY : range.low,
+          std::isnan(range.high) ? INFINITY : range.high};
+}
+
 }  // namespace
 
 LevelFunction::LevelFunction(const Field& field, int dimension)
-    : dimension_(dimension), breakpoints_(collect_breakpoints(field, dimension)) {
-  if (const auto quadric = as_quadric(field, dimension))
-    quadric_ = std::make_unique<const Quadric>(*quadric);
-  else
-    tape_ = std::make_unique<const Tape>(std::vector{field}, std::vector{1}, dimension);
+    : dimension_(dimension),
+      range_(range_everywhere(field, dimension)),
+      breakpoints_(collect_breakpoints(field, dimension)) {
+  if (const auto quadric = as_quadric(field, dimension)) {
+    quadric_.emplace(*quadric);
+    return;
+  }
+  if (auto program = PointProgram::compiled(field, dimension))
+    program_ = std::make_unique<const PointProgram>(*std::move(program));
+  tape_ = std::make_unique<const Tape>(std::vector{field}, std::vector{1}, dimension);
 }
 
 LevelFunction::~LevelFunction() = default;
 LevelFunction::LevelFunction(LevelFunction&&) noexcept = default;
 LevelFunction& LevelFunction::operator=(LevelFunction&&) noexcept = default;
 
-double LevelFunction::value(const Point& point) const {
-  return quadric_ ? quadric_->value(point) : tape_->value(point);
+double LevelFunction::other_value(const Point& point) const {
+  return program_ ? program_->value(point) : tape_->value(point);
 }
 
-double LevelFunction::value_and_slope(const Point& point, int axis, double& slope) const {
-  if (quadric_) {
-    slope = quadric_->slope(point, axis);
-    return quadric_->value(point);
-  }
+double LevelFunction::other_slope(const Point& point, int axis, double& slope) const {
+  if (program_) return program_->value_and_slope(point, axis, slope);
   Point gradient;
-  const double value = tape_->value_and_gradient(point, gradient);
+  const double value = other_gradient(point, gradient);
   slope = gradient[axis];
   return value;
 }
 
-double LevelFunction::value_and_gradient(const Point& point, Point& gradient) const {
-  if (quadric_) {
-    gradient = quadric_->gradient(point);
-    return quadric_->value(point);
-  }
-  return tape_->value_and_gradient(point, gradient);
+double LevelFunction::other_gradient(const Point& point, Point& gradient) const {
+  return program_ ? program_->value_and_gradient(point, gradient)
+                  : tape_->value_and_gradient(point, gradient);
 }
 
 double LevelFunction::value_and_slope(const Line& line, double t, double& slope) const {
@@ -87,21 +111,12 @@ std::optional<LinePolynomial> LevelFunction::polynomial_along(const Line& line) 
 }
 
 Interval LevelFunction::value_bounds(const Box& box) const {
-  return quadric_ ? quadric_->value_bounds(box) : tape_->value_bounds(box);
+  return within(range_, quadric_ ? quadric_->value_bounds(box) : tape_->value_bounds(box));
 }
 
 FunctionBounds LevelFunction::bounds(const Box& box) const {
-  if (quadric_) return quadric_->bounds(box);
-  FunctionBounds bounds = tape_->bounds(box);
-  if (bounds.value.excludes_zero()) return bounds;
-  // The mean value form, with the value at the centre enclosed over a box of no extent.
-  Box center = box;
-  center.low = center.high = box.center();
-  Interval mean_value = tape_->value_bounds(center);
-  for (int axis = 0; axis < dimension_; ++axis)
-    mean_value =
-        mean_value + bounds.gradient[axis] * (box.interval(axis) - Interval(center.low[axis]));
-  if (bounds.smooth) bounds.value = intersection(bounds.value, mean_value);
+  FunctionBounds bounds = quadric_ ? quadric_->bounds(box) : tape_->bounds(box);
+  bounds.value = within(range_, bounds.value);
   return bounds;
 }
 

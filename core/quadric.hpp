@@ -19,6 +19,11 @@ struct Quadric {
   /// A: xx, xy, xz, yy, yz, zz.
   std::array<double, 6> square{};
 
+  static constexpr int square_index(int i, int j) {
+    constexpr int index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    return index[i][j];
+  }
+
   bool is_affine() const;
   double value(const Point& x) const;
   double slope(const Point& x, int axis) const;

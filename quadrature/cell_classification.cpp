@@ -59,8 +59,11 @@ Box quadrature_cell(const Grid& grid, const std::array<int, 3>& position) {
 class CellClassifier {
  public:
   CellClassifier(const RegionEvaluator& region, const Grid& grid,
-                 std::span<const LevelFunction> interfaces)
-      : region_(region), grid_(grid), interfaces_(interfaces) {}
+                 std::span<const LevelFunction> interfaces, Classification classification)
+      : region_(region),
+        grid_(grid),
+        interfaces_(interfaces),
+        is_tight_(classification == Classification::tight) {}
 
   CellClassification run() {
     result_.states.assign(grid_.cell_count(), CellState::outside);
@@ -79,7 +82,7 @@ class CellClassifier {
     const auto is_decided = [&] {
       return inside == Truth::no || (inside == Truth::yes && candidates.interfaces.empty());
     };
-    if (block.is_cell() && !is_decided())
+    if (is_tight_ && block.is_cell() && !is_decided())
       inside = candidates.narrow(box, true, region_, interfaces_);
     if (is_decided()) return inside == Truth::yes ? fill(block) : void();
     if (block.is_cell()) return add_cut_cell(block, candidates);
@@ -141,14 +144,16 @@ class CellClassifier {
   const RegionEvaluator& region_;
   const Grid& grid_;
   std::span<const LevelFunction> interfaces_;
+  bool is_tight_;
   CellClassification result_;
 };
 
 CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,
-                                  std::span<const LevelFunction> interfaces) {
+                                  std::span<const LevelFunction> interfaces,
+                                  Classification classification) {
   if (region.dimension() != grid.dimension())
     throw InvalidArgument("region and grid differ in dimension");
-  return CellClassifier(region, grid, interfaces).run();
+  return CellClassifier(region, grid, interfaces, classification).run();
 }
 
 }  // namespace rfm

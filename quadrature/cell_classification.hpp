@@ -20,7 +20,7 @@ enum class CellState : signed char { outside, inside, cut };
 
 /// The cells of a grid sorted by bounds of the primitives: an octree over the grid is descended
 /// with plain interval arithmetic, and children inherit the primitives that still matter; single
-/// cells left over get the tighter bounds of `LevelFunction::bounds`. Any numbers of cells per
+/// cells left over may get the tighter bounds of `LevelFunction::bounds`. Any numbers of cells per
 /// axis.
 struct CellClassification {
   /// Per cell of the grid, in its numbering.
@@ -56,8 +56,15 @@ struct CellClassification {
 /// by 2⁻⁴⁰ of its size, so that faces of the region on these sides lie within a cell.
 Box quadrature_cell(const Grid& grid, const std::array<int, 3>& position);
 
+/// How far to go with single cells that plain intervals do not decide.
+enum class Classification {
+  tight,  ///< the best bounds there are
+  loose,  ///< left as cut: for those who look at every cut cell anyhow
+};
+
 /// Throws `InvalidArgument` when the dimensions of region and grid differ.
 CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,
-                                  std::span<const LevelFunction> interfaces = {});
+                                  std::span<const LevelFunction> interfaces = {},
+                                  Classification classification = Classification::tight);
 
 }  // namespace rfm

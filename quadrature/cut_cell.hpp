@@ -6,12 +6,30 @@
 
 namespace rfm {
 
+/// Sums of the weights of a rule.
+struct CellMeasure {
+  double volume = 0;
+  double boundary = 0;
+};
+
+struct CellRuleOptions {
+  /// Gauss points per one-dimensional piece.
+  int points = 6;
+  /// Whether volume and boundary are also found by the rule of one point fewer (one more, if there
+  /// is one): half of the cost again.
+  bool compare_orders = true;
+};
+
 /// What a cut cell contributes to a rule.
 struct CellRule {
   VolumePoints volume;
   SurfacePoints boundary;
   SurfacePoints interfaces;
   Uncertified uncertified;
+  /// Sums over boxes of how far the rules of two orders are apart.
+  CellMeasure order_difference;
+  /// Of the last box, by both rules.
+  CellMeasure measure, other_measure;
   /// The whole box is inside and nothing splits it.
   bool is_full = false;
 };
@@ -36,12 +54,12 @@ void add_tensor_rule(const Box& box, const GaussRule& gauss, Add&& add) {
 }
 
 /// Appends to `rule` the rules for ∫ over box ∩ region, over the boundary of the region in the box,
-/// and over the interfaces inside, with `points` Gauss points per one-dimensional piece: by
-/// iterated Gauss rules on the parts of a `Subdivision`. Weights are positive. Errors are
+/// and over the interfaces inside, by iterated Gauss rules on the parts of a `Subdivision`. Weights
+/// are positive. Errors are
 /// O(h^(2·points)) for cells of size h, also with corners in cells, wherever primitives are smooth;
 /// a boundary point carries its outward unit normal and primitive. Along a curve of slope h′ over
 /// the base axis the weight is √(1 + |∇h|²) times the base weight, written |∇w| / |∂w/∂height|.
-void add_cell_rule(const Box& box, const ActiveSet& active, int points, Subdivision& subdivision,
-                   CellRule& rule);
+void add_cell_rule(const Box& box, const ActiveSet& active, const CellRuleOptions& options,
+                   Subdivision& subdivision, CellRule& rule);
 
 }  // namespace rfm

@@ -99,7 +99,7 @@ class DomainRuleBuilder {
   DomainRuleBuilder(const RegionEvaluator& region, const Grid& grid,
                     const QuadratureOptions& options, std::span<const LevelFunction> interfaces)
       : options_(options),
-        classification_(classify_cells(region, grid, interfaces)),
+        classification_(classify_cells(region, grid, interfaces, Classification::loose)),
         surfaces_(region, interfaces),
         breakpoints_(surfaces_.breakpoints(options.breakpoints)),
         rule_(grid) {
@@ -165,7 +165,7 @@ class DomainRuleBuilder {
     bool is_full = false;
     const auto add = [&](const Box& box, const ActiveSet& active) {
       rule.is_full = false;
-      add_cell_rule(box, active, options_.cut_points, subdivision, rule);
+      add_cell_rule(box, active, {options_.cut_points, options_.compare_orders}, subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
     };
     if (task.cut_cell < 0) {
@@ -208,6 +208,8 @@ class DomainRuleBuilder {
       boundary.append(part.rule.boundary);
       interfaces.append(part.rule.interfaces);
       rule_.report_.uncertified += part.rule.uncertified;
+      rule_.report_.order_difference.volume += part.rule.order_difference.volume;
+      rule_.report_.order_difference.boundary += part.rule.order_difference.boundary;
       part = {};
     }
     const int cells = rule_.grid_.cell_count();

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "quadrature/cell_surfaces.hpp"
-#include "quadrature/gauss_legendre.hpp"
-#include "quadrature/quadrature_points.hpp"
+#include "quadrature/cut_cell.hpp"
 
 namespace rfm {
 
@@ -12,6 +11,9 @@ struct QuadratureOptions {
   int inside_points = 4;
   /// Gauss points per one-dimensional piece in cut cells and on boundaries: p + 3.
   int cut_points = 6;
+  /// Whether the report says how far volume and boundary are from those of a rule of lower order:
+  /// an upper bound of their errors in practice, at half of the cost of cut cells again.
+  bool compare_orders = true;
   /// Where integrands are not smooth, beside the breakpoints of the primitives themselves.
   Breakpoints breakpoints;
   SubdivisionOptions subdivision;
@@ -45,6 +47,9 @@ struct QuadratureReport {
   double smallest_cut_fraction = 1;
   /// Boxes whose rule is a best effort: the order is lost in at most this measure.
   Uncertified uncertified;
+  /// Sum over cut cells of how far volume and boundary are from those by a rule of lower order, one
+  /// Gauss point fewer; 0 if this was not asked for.
+  CellMeasure order_difference;
   /// |∮ n·x ds / d − volume|: the divergence theorem for the field x/d, an independent check of
   /// volume rule, boundary rule and normals together.
   double divergence_defect = 0;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <string>
 
@@ -47,21 +48,16 @@ void compute(int n, StoredRule& rule) {
   rule.view = {std::span(rule.nodes).first(n), std::span(rule.weights).first(n)};
 }
 
-struct AllRules {
-  std::array<StoredRule, max_gauss_points + 1> rules;
-  AllRules() {
-    for (int n = 1; n <= max_gauss_points; ++n) compute(n, rules[n]);
-  }
-};
-
 }  // namespace
 
 const GaussRule& gauss_legendre(int points) {
   if (points < 1 || points > max_gauss_points)
     throw InvalidArgument("a Gauss rule has 1 to " + std::to_string(max_gauss_points) +
                           " points, not " + std::to_string(points));
-  static const AllRules all;
-  return all.rules[points].view;
+  static std::array<StoredRule, max_gauss_points + 1> rules;
+  static std::array<std::once_flag, max_gauss_points + 1> computed;
+  std::call_once(computed[points], [&] { compute(points, rules[points]); });
+  return rules[points].view;
 }
 
 }  // namespace rfm

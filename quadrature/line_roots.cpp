@@ -1,14 +1,64 @@
 #include "quadrature/line_roots.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "quadrature/root_isolation.hpp"
 
 namespace rfm {
+namespace {
+
+// The root of c + b s + a s² between 0 and `length`, where its sign changes once. Of the two roots
+// the nearer one, 2|c| / (|b| + √(b² − 4ac)), if the polynomial starts towards zero, and the
+// farther one otherwise: no difference of nearly equal numbers is taken.
+double quadratic_root(double c, double b, double a, double length) {
+  const double root = std::sqrt(std::max(b * b - 4 * a * c, 0.0));
+  const bool towards_zero = (c >= 0) != (b > 0);
+  const double step = towards_zero ? 2 * std::fabs(c) / (std::fabs(b) + root)
+                                   : 0.5 * (std::fabs(b) + root) / std::fabs(a);
+  // Also where the quotient is not a number.
+  return step > 0 ? std::min(step, length) : 0.0;
+}
+
+struct Ends {
+  double value_low, slope_low, value_high;
+};
+
+// The root of a surface on a segment from a start nearby: each step solves the parabola of value,
+// slope and the curvature found from the last two slopes. After a step d the error is of order d³,
+// so that most roots take two.
+double polished_root(const Surface& surface, const LineSegment& line, const Ends& ends,
+                     double start) {
+  constexpr int max_steps = 6;
+  constexpr double last_step = 3e-6;
+  const double length = line.high - line.low;
+  Point point = line.through;
+  const auto along = [&](double t, double& slope) {
+    point[line.axis] = t;
+    return surface.value_and_slope(point, line.axis, slope);
+  };
+  double t = start, before = line.low, slope_before = ends.slope_low;
+  for (int step = 0; step < max_steps && t > line.low && t < line.high; ++step) {
+    double slope = 0;
+    const double value = along(t, slope);
+    if (value == 0) return t;
+    const double curve = 0.5 * (slope - slope_before) / (t - before);
+    const double root = std::sqrt(std::max(slope * slope - 4 * curve * value, 0.0));
+    const double change = -2 * value / (slope + std::copysign(root, slope));
+    if (std::fabs(change) < last_step * length) return std::clamp(t + change, line.low, line.high);
+    before = t;
+    slope_before = slope;
+    t += change;
+  }
+  return bracketed_root(along, line.low, line.high, ends.value_low, ends.value_high);
+}
+
+}  // namespace
 
 Crossing find_crossing(const Surface& surface, const LineSegment& line) {
   Point point = line.at(line.low);
-  const double value_low = surface.value(point);
+  double slope_low = 0;
+  const double value_low = surface.value_and_slope(point, line.axis, slope_low);
   point[line.axis] = line.high;
   const double value_high = surface.value(point);
   Crossing crossing;
@@ -18,11 +68,13 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line) {
     crossing.position = std::fabs(value_low) < std::fabs(value_high) ? line.low : line.high;
     return crossing;
   }
-  const auto along = [&](double t, double& slope) {
-    point[line.axis] = t;
-    return surface.value_and_slope(point, line.axis, slope);
-  };
-  crossing.position = bracketed_root(along, line.low, line.high, value_low, value_high);
+  const double length = line.high - line.low;
+  const QuadricEvaluator* const quadric = surface.quadric();
+  const double curve = quadric ? quadric->square[Quadric::square_index(line.axis, line.axis)]
+                               : ((value_high - value_low) / length - slope_low) / length;
+  const double start = line.low + quadratic_root(value_low, slope_low, curve, length);
+  crossing.position =
+      quadric ? start : polished_root(surface, line, {value_low, slope_low, value_high}, start);
   return crossing;
 }
 

@@ -32,8 +32,9 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line);
 struct LineRoots {
   int count = 0;
   SurfaceSigns start = 0;
-  std::array<double, ActiveSet::capacity> positions{};
-  std::array<int, ActiveSet::capacity> surfaces{};
+  /// The first `count` have meaning.
+  std::array<double, ActiveSet::capacity> positions;
+  std::array<int, ActiveSet::capacity> surfaces;
 };
 /// Surfaces of `parallel` do not depend on the coordinate along the line: their sign is taken at
 /// its middle.

@@ -57,6 +57,15 @@ bool isolate_level(const Plane& plane, const PlaneGraph& graph, double level,
                    std::vector<double>& found) {
   const Surface& function = *graph.surface;
   const double low = plane.box.low[plane.base], high = plane.box.high[plane.base];
+  if (graph.bounds->gradient[plane.base].excludes_zero()) {
+    // Monotone in the whole box: at most one root, and no bounds on the side are needed.
+    LineSegment side{{}, plane.base, low, high};
+    side.through[plane.third()] = graph.third;
+    side.through[plane.height] = level;
+    const Crossing crossing = find_crossing(function, side);
+    if (crossing.exists) found.push_back(crossing.position);
+    return true;
+  }
   Box side = plane.box;
   side.low[plane.third()] = side.high[plane.third()] = graph.third;
   side.low[plane.height] = side.high[plane.height] = level;

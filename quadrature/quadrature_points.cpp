@@ -19,11 +19,6 @@ Point gather(const std::array<std::vector<double>, 3>& arrays, int i) {
 
 Point VolumePoints::point(int i) const { return gather(coordinates, i); }
 
-void VolumePoints::add(int dimension, const Point& point, double weight) {
-  for (int axis = 0; axis < dimension; ++axis) coordinates[axis].push_back(point[axis]);
-  weights.push_back(weight);
-}
-
 void VolumePoints::append(const VolumePoints& other) {
   for (int axis = 0; axis < 3; ++axis) append_to(coordinates[axis], other.coordinates[axis]);
   append_to(weights, other.weights);

@@ -14,7 +14,10 @@ struct VolumePoints {
 
   int size() const { return static_cast<int>(weights.size()); }
   Point point(int i) const;
-  void add(int dimension, const Point& point, double weight);
+  void add(int dimension, const Point& point, double weight) {
+    for (int axis = 0; axis < dimension; ++axis) coordinates[axis].push_back(point[axis]);
+    weights.push_back(weight);
+  }
   void append(const VolumePoints& other);
   void clear();
   void resize(int size);

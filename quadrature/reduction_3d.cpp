@@ -14,8 +14,12 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   height_ = height;
   certified_ = true;
   has_contacts_ = false;
-  if (!find_curves() && !options.best_effort) return Outcome::constant_surface;
-  if (!choose_inner(options)) return Outcome::not_reduced;
+  // Bounds over the whole box often serve for traces too, and are known already.
+  if (!find_curves(false) && !options.best_effort) return Outcome::constant_surface;
+  if (!choose_inner({options.flatness, options.allow_contacts, false})) {
+    if (!find_curves(true) && !options.best_effort) return Outcome::constant_surface;
+    if (!choose_inner(options)) return Outcome::not_reduced;
+  }
   set_proofs();
   if (!accept_contacts() && !options.best_effort) return Outcome::not_reduced;
   find_breakpoints();

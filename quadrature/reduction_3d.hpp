@@ -77,7 +77,8 @@ class Reduction3D {
   };
 
   bool is_vertical(int surface) const { return bounds_[surface].gradient[height_].is_zero(); }
-  bool find_curves();
+  bool find_curves(bool tight);
+  Truth add_trace(int surface, int end, bool tight);
   void narrow_graphs();
   void add_crossing_curves();
   bool proven_apart(int first, int second) const;

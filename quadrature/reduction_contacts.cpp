@@ -62,31 +62,54 @@ bool Reduction3D::only_touch(const Curve& crossing) const {
     if (!(low < high)) return {};
     const Plane plane = section_plane(place);
     const PlaneGraph first = section_graph(i, place), second = section_graph(j, place);
+    double value_there = 0;
     const auto slope_at = [&](double inner) {
       double slope = 0;
-      const double value = height_difference(plane, first, second, inner, slope);
-      positive |= value > same;
-      negative |= value < -same;
+      value_there = height_difference(plane, first, second, inner, slope);
+      positive |= value_there > same;
+      negative |= value_there < -same;
       return slope;
     };
-    const double at_low = slope_at(low), at_high = slope_at(high);
-    const bool is_interior = (at_low > 0) != (at_high > 0);
-    const double extreme =
-        is_interior ? sign_change(slope_at, low, high, at_low, at_high, 1e-9 * box_.length(inner_))
-                    : 0.5 * (low + high);
+    const double at_low = slope_at(low), value_low = value_there;
+    const double at_high = slope_at(high), value_high = value_there;
+    // Where the difference is least: inside, or at an end of the section.
+    double extreme = std::fabs(value_low) < std::fabs(value_high) ? low : high;
+    if ((at_low > 0) != (at_high > 0))
+      extreme = sign_change(slope_at, low, high, at_low, at_high, 1e-9 * box_.length(inner_));
     double change = 0;
     const Plane across{box_, outer(), height_};
     height_difference(across, section_graph(i, extreme), section_graph(j, extreme), place, change);
     return change;
+  };
+  // Extrema from section to section show as changes of sign of the change.
+  const auto compare = [&](double from, double change_from, double to, double change_to) {
+    if ((change_from > 0) != (change_to > 0))
+      sign_change([&](double t) { return visit(t).value_or(0); }, from, to, change_from, change_to,
+                  1e-9 * box_.length(outer()));
+  };
+  // Where sections with both graphs end between `inside` and `outside`, by bisection.
+  const auto follow = [&](double inside, double change, double outside) {
+    double last = inside, last_change = change;
+    for (int step = 0; step < 30; ++step) {
+      const double middle = 0.5 * (last + outside);
+      if (const auto there = visit(middle))
+        last = middle, last_change = *there;
+      else
+        outside = middle;
+    }
+    if (inside < last)
+      compare(inside, change, last, last_change);
+    else
+      compare(last, last_change, inside, change);
   };
   std::optional<double> before;
   double last = 0;
   for (int k = 0; k <= sections; ++k) {
     const double place = box_.low[outer()] + box_.length(outer()) * k / sections;
     const std::optional<double> change = visit(place);
-    if (before && change && (*before > 0) != (*change > 0))
-      sign_change([&](double t) { return visit(t).value_or(0); }, last, place, *before, *change,
-                  1e-9 * box_.length(outer()));
+    if (before && change) compare(last, *before, place, *change);
+    if (k > 0 && before && !change) follow(last, *before, place);
+    if (k > 0 && !before && change) follow(place, *change, last);
     before = change;
     last = place;
     if (positive && negative) return false;

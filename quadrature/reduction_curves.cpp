@@ -8,8 +8,45 @@
 
 namespace rfm {
 
+// The sign of a surface on the bottom or the top, and its trace there if it has none. Where the
+// surface is monotone in both base axes the signs at two opposite corners decide.
+Truth Reduction3D::add_trace(int surface, int end, bool tight) {
+  Truth sign;
+  const double level = end == 0 ? box_.low[height_] : box_.high[height_];
+  const int a = (height_ + 1) % 3, b = (height_ + 2) % 3;
+  const auto& whole = bounds_[surface].gradient;
+  const auto is_monotone = [](const Interval& slope) {
+    return slope.excludes_zero() || slope.is_zero();
+  };
+  FunctionBounds& trace = traces_[surface][end];
+  if (!tight && is_monotone(whole[a]) && is_monotone(whole[b])) {
+    trace = bounds_[surface];
+    Point least{}, most{};
+    least[height_] = most[height_] = level;
+    for (const int axis : {a, b}) {
+      least[axis] = whole[axis].low >= 0 ? box_.low[axis] : box_.high[axis];
+      most[axis] = whole[axis].low >= 0 ? box_.high[axis] : box_.low[axis];
+    }
+    sign = active_->surfaces[surface]->value(least) >= 0  ? Truth::yes
+           : active_->surfaces[surface]->value(most) >= 0 ? Truth::unknown
+                                                          : Truth::no;
+  } else {
+    Box face = box_;
+    face.low[height_] = face.high[height_] = level;
+    trace = active_->surfaces[surface]->bounds(face);
+    sign = trace.value.low >= 0 ? Truth::yes : trace.value.high < 0 ? Truth::no : Truth::unknown;
+  }
+  if (sign != Truth::unknown) return sign;
+  Curve curve;
+  curve.gradient = trace.gradient;
+  curve.first = surface;
+  curve.second = end;
+  curves_.push_back(curve);
+  return sign;
+}
+
 // The curves of the base plane; false if a surface turns out to have one sign.
-bool Reduction3D::find_curves() {
+bool Reduction3D::find_curves(bool tight) {
   curves_.clear();
   bool all_change_sign = true;
   for (int i = 0; i < active_->count; ++i) {
@@ -22,28 +59,14 @@ bool Reduction3D::find_curves() {
       continue;
     }
     std::array<Truth, 2> signs;
-    for (int end = 0; end < 2; ++end) {
-      Box face = box_;
-      face.low[height_] = face.high[height_] = end == 0 ? box_.low[height_] : box_.high[height_];
-      FunctionBounds& trace = traces_[i][end];
-      trace = active_->surfaces[i]->bounds(face);
-      signs[end] = trace.value.low >= 0   ? Truth::yes
-                   : trace.value.high < 0 ? Truth::no
-                                          : Truth::unknown;
-      if (signs[end] != Truth::unknown) continue;
-      Curve curve;
-      curve.gradient = trace.gradient;
-      curve.first = i;
-      curve.second = end;
-      curves_.push_back(curve);
-    }
+    for (int end = 0; end < 2; ++end) signs[end] = add_trace(i, end, tight);
     if (signs[0] != Truth::unknown && signs[0] == signs[1]) {
       constant_surface_ = i;
       constant_sign_ = signs[0] == Truth::yes;
       all_change_sign = false;
     }
   }
-  if (all_change_sign) {
+  if (all_change_sign && active_->count > 1) {
     narrow_graphs();
     add_crossing_curves();
   }

@@ -43,6 +43,10 @@ class Surface {
   FunctionBounds bounds(const Box& box) const;
   /// The level function itself; null for the side of a cell.
   const LevelFunction* level() const { return level_; }
+  /// The polynomial, of degree ≤ 2, in the world's coordinates; null for others.
+  const QuadricEvaluator* quadric() const {
+    return level_ && !frame_ ? level_->quadric() : nullptr;
+  }
 
  private:
   double other_value(const Point& point) const;

@@ -6,8 +6,10 @@
 namespace rfm {
 namespace {
 
-Truth sign_of(const Interval& value) {
-  return value.low >= 0 ? Truth::yes : value.high < 0 ? Truth::no : Truth::unknown;
+// What is nowhere positive is zero at most on a set of no measure, which no rule sees.
+Truth sign_of(const LevelFunction& level, const Interval& value) {
+  if (value.low >= 0) return Truth::yes;
+  return value.high < 0 || level.range().high <= 0 ? Truth::no : Truth::unknown;
 }
 
 }  // namespace
@@ -24,7 +26,7 @@ SurfaceCandidates::SurfaceCandidates(const RegionEvaluator& region,
 Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluator& region,
                                 std::span<const LevelFunction> interface_levels) {
   const auto sign_in_box = [&](const LevelFunction& level) {
-    return sign_of(tight ? level.bounds(box).value : level.value_bounds(box));
+    return sign_of(level, tight ? level.bounds(box).value : level.value_bounds(box));
   };
   for (const int k : primitives) signs[k] = sign_in_box(region.level(k));
   const BooleanExpression& expression = region.region().expression();

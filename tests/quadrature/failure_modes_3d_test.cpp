@@ -165,8 +165,9 @@ TEST(FailureModes3D, ThinPlates) {
         solid(1 - square(x()) - square(y()) - square(z())) & solid(w - across) & solid(w + across);
     const double volume = 2 * pi * (w - w * w * w / 3), area = 2 * pi * (1 - w * w) + 4 * pi * w;
     const Errors error = errors(plate, volume, area, 8, 10);
-    EXPECT_LT(error.volume, 1e-8);
-    EXPECT_LT(error.area, 1e-8);
+    // Of the thinnest plate the faces are rounded to multiples of 1e-17.
+    EXPECT_LT(error.volume, 1e-12 + 1e-17 / width);
+    EXPECT_LT(error.area, 1e-13);
   }
 }
 

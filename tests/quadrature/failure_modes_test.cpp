@@ -161,6 +161,32 @@ TEST(FailureModes, APrimitiveThatOnlyTouchesZeroIsPositive) {
   }
 }
 
+TEST(FailureModes, TheSquareOfALineCostsNothing) {
+  // Never negative, as the structure of the expression says; its zeros bound nothing.
+  const Field line = y() - 0.1 - 0.2 * x();
+  for (const int cells : {4, 16}) {
+    const Errors error = errors(disk(0, 0, 1) & region_of(line * line, 2), pi, 2 * pi, cells, 16);
+    EXPECT_LT(error.area, 1e-13);
+    EXPECT_LT(error.perimeter, 1e-12);
+    EXPECT_EQ(error.report.uncertified.boxes, 0);
+    const Errors alone = errors(disk(0, 0, 1), pi, 2 * pi, cells, 16);
+    EXPECT_EQ(error.report.cut_cells, alone.report.cut_cells);
+  }
+}
+
+TEST(FailureModes, WhatIsNowherePositiveIsOutside) {
+  const Field line = y() - 0.1 - 0.2 * x();
+  const Region without = disk(0, 0, 1) - region_of(-square(line), 2);
+  const Errors error = errors(without, pi, 2 * pi, 8, 16);
+  EXPECT_LT(error.area, 1e-13);
+  EXPECT_LT(error.perimeter, 1e-12);
+  EXPECT_EQ(error.report.uncertified.boxes, 0);
+  const DomainRule empty =
+      make_domain_rule(RegionEvaluator(region_of(-pow(line, 4), 2)), grid(1.7, 8));
+  EXPECT_EQ(empty.measure(), 0);
+  EXPECT_EQ(empty.boundary_measure(), 0);
+}
+
 TEST(FailureModes, StripsAsThinAsOneTenBillionth) {
   for (const double width : {2e-3, 2e-6, 2e-10}) {
     const double w = width / 2;

@@ -1,0 +1,311 @@
+#include "core/point_program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/tape_polynomial.hpp"
+#include "core/tape_program.hpp"
+
+namespace rfm {
+namespace {
+
+// Value, ∂x, ∂y, ∂z.
+using Slopes [[gnu::vector_size(4 * sizeof(double))]] = double;
+
+inline double reciprocal_or_zero(double a) { return a == 0 ? 0.0 : 1 / a; }
+
+// The rules for three kinds of number.
+struct Plain {
+  using Number = double;
+  static Number constant(double number) { return number; }
+  static Number coordinate(double x, int) { return x; }
+  static Number quadric(const QuadricEvaluator& q, const Point& point) { return q.value(point); }
+  static Number multiply(Number a, Number b) { return a * b; }
+  static Number divide(Number a, Number b) { return a / b; }
+  static double value(Number a) { return a; }
+  static Number chain(Number, double f, double) { return f; }
+};
+
+struct WithSlope {
+  struct Number {
+    double value, slope;
+
+    friend Number operator+(const Number& a, const Number& b) {
+      return {a.value + b.value, a.slope + b.slope};
+    }
+    friend Number operator-(const Number& a, const Number& b) {
+      return {a.value - b.value, a.slope - b.slope};
+    }
+    friend Number operator-(const Number& a) { return {-a.value, -a.slope}; }
+    friend Number operator*(double number, const Number& a) {
+      return {number * a.value, number * a.slope};
+    }
+  };
+  int axis;
+
+  static Number constant(double number) { return {number, 0}; }
+  Number coordinate(double x, int index) const { return {x, index == axis ? 1.0 : 0.0}; }
+  Number quadric(const QuadricEvaluator& q, const Point& point) const {
+    return {q.value(point), q.slope(point, axis)};
+  }
+  static Number multiply(const Number& a, const Number& b) {
+    return {a.value * b.value, a.value * b.slope + b.value * a.slope};
+  }
+  static Number divide(const Number& a, const Number& b) {
+    const double quotient = a.value / b.value;
+    return {quotient, (a.slope - quotient * b.slope) / b.value};
+  }
+  static double value(const Number& a) { return a.value; }
+  static Number chain(const Number& a, double f, double slope) { return {f, a.slope * slope}; }
+};
+
+struct WithGradient {
+  using Number = Slopes;
+  static Number constant(double number) { return Number{number, 0, 0, 0}; }
+  static Number coordinate(double x, int axis) {
+    Number result{x, 0, 0, 0};
+    result[1 + axis] = 1;
+    return result;
+  }
+  static Number quadric(const QuadricEvaluator& q, const Point& point) {
+    return Number{q.value(point), q.slope(point, 0), q.slope(point, 1), q.slope(point, 2)};
+  }
+  static Number multiply(const Number& a, const Number& b) {
+    Number result = a[0] * b + b[0] * a;
+    result[0] = a[0] * b[0];
+    return result;
+  }
+  static Number divide(const Number& a, const Number& b) {
+    const double quotient = a[0] / b[0];
+    Number result = (a - quotient * b) * (1 / b[0]);
+    result[0] = quotient;
+    return result;
+  }
+  static double value(const Number& a) { return a[0]; }
+  static Number chain(const Number& a, double f, double slope) {
+    Number result = a * slope;
+    result[0] = f;
+    return result;
+  }
+};
+
+}  // namespace
+
+class PointProgram::Compiler {
+ public:
+  Compiler(const Tape::Program& program, int dimension)
+      : code_(program.instructions),
+        dimension_(dimension),
+        place_(code_.size(), -1),
+        needed_(code_.size(), false) {
+    polynomials_.reserve(code_.size());  // `known_` points into it
+    for (const Instruction& instruction : code_) {
+      const auto found = recognise(instruction, known_);
+      known_.push_back(found ? &polynomials_.emplace_back(*found) : nullptr);
+    }
+  }
+
+  std::optional<PointProgram> run(int root) {
+    needed_[root] = true;
+    for (int i = root; i >= 0; --i) {
+      if (!needed_[i] || is_step(i)) continue;
+      for (const int operand : code_[i].operands)
+        if (operand >= 0) needed_[operand] = true;
+    }
+    for (int i = 0; i <= root; ++i) {
+      if (!needed_[i]) continue;
+      place_[i] = is_step(i) ? add_quadric(*known_[i]) : add_operation(code_[i]);
+      if (place_[i] < 0 || result_.steps_.size() > capacity) return {};
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Whether an instruction with all below it is one polynomial that is worth a step of its own.
+  bool is_step(int i) const {
+    const Polynomial* const p = known_[i];
+    if (!p) return false;
+    int axes = 0;
+    for (int axis = 0; axis < dimension_; ++axis) axes += p->depends_on(axis);
+    if (dimension_ < 3 && p->depends_on(2)) return false;
+    if (dimension_ < 2 && p->depends_on(1)) return false;
+    return axes > 1 || !p->is_affine();
+  }
+
+  int add(Code code, int first = 0, int second = 0, double number = 0) {
+    result_.steps_.push_back(
+        {code, static_cast<std::int16_t>(first), static_cast<std::int16_t>(second), number});
+    return static_cast<int>(result_.steps_.size()) - 1;
+  }
+
+  int add_quadric(const Polynomial& p) {
+    result_.quadrics_.emplace_back(Quadric{p.origin, p.constant, p.linear, p.square});
+    return add(Code::quadric, static_cast<int>(result_.quadrics_.size()) - 1);
+  }
+
+  int add_power(int base, int exponent) {
+    while (exponent % 2 == 0) base = add(Code::square, base), exponent /= 2;
+    int power = base;
+    for (exponent /= 2; exponent > 0; exponent /= 2) {
+      base = add(Code::square, base);
+      if (exponent % 2 == 1) power = add(Code::multiply, power, base);
+    }
+    return power;
+  }
+
+  // −1 for what a program cannot do.
+  int add_operation(const Instruction& instruction) {
+    const auto operand = [&](int k) {
+      return instruction.operands[k] < 0 ? 0 : place_[instruction.operands[k]];
+    };
+    const int a = operand(0), b = operand(1);
+    switch (instruction.operation) {
+      case Operation::constant:
+        return add(Code::constant, 0, 0, instruction.number);
+      case Operation::coordinate:
+        if (instruction.index >= dimension_) return -1;
+        return add(static_cast<Code>(static_cast<int>(Code::x) + instruction.index));
+      case Operation::scale:
+        return add(Code::scale, a, 0, instruction.number);
+      case Operation::offset:
+        return add(Code::offset, a, 0, instruction.number);
+      case Operation::integer_power:
+        if (instruction.index < 1 || instruction.index > 64) return -1;
+        return add_power(a, instruction.index);
+#define RFM_STEP(id)  \
+  case Operation::id: \
+    return add(Code::id, a, b);
+        RFM_STEP(add)
+        RFM_STEP(subtract)
+        RFM_STEP(multiply)
+        RFM_STEP(divide)
+        RFM_STEP(negate)
+        RFM_STEP(sqrt)
+        RFM_STEP(exp)
+        RFM_STEP(log)
+        RFM_STEP(sin)
+        RFM_STEP(cos)
+        RFM_STEP(hypot)
+        RFM_STEP(min)
+        RFM_STEP(max)
+#undef RFM_STEP
+      default:
+        return -1;
+    }
+  }
+
+  const std::vector<Instruction>& code_;
+  int dimension_;
+  std::vector<int> place_;
+  std::vector<bool> needed_;
+  std::vector<Polynomial> polynomials_;
+  std::vector<const Polynomial*> known_;
+  PointProgram result_;
+};
+
+std::optional<PointProgram> PointProgram::compiled(const Field& field, int dimension) {
+  const auto program = compile({field}, {1}, dimension);
+  return Compiler(*program, dimension).run(program->root_instructions[0]);
+}
+
+template <class Rules>
+typename Rules::Number PointProgram::run(const Rules& rules, const Point& point) const {
+  using Number = typename Rules::Number;
+  Number results[capacity];
+  Number* next = results;
+  for (const Step& step : steps_) {
+    const Number& a = results[step.first];
+    const Number& b = results[step.second];
+    switch (step.code) {
+      case Code::constant:
+        *next = Rules::constant(step.number);
+        break;
+      case Code::quadric:
+        *next = rules.quadric(quadrics_[step.first], point);
+        break;
+      case Code::x:
+      case Code::y:
+      case Code::z: {
+        const int axis = static_cast<int>(step.code) - static_cast<int>(Code::x);
+        *next = rules.coordinate(point[axis], axis);
+        break;
+      }
+      case Code::add:
+        *next = a + b;
+        break;
+      case Code::subtract:
+        *next = a - b;
+        break;
+      case Code::multiply:
+        *next = Rules::multiply(a, b);
+        break;
+      case Code::divide:
+        *next = Rules::divide(a, b);
+        break;
+      case Code::negate:
+        *next = -a;
+        break;
+      case Code::scale:
+        *next = step.number * a;
+        break;
+      case Code::offset:
+        *next = a + Rules::constant(step.number);
+        break;
+      case Code::square: {
+        const double value = Rules::value(a);
+        *next = Rules::chain(a, value * value, 2 * value);
+        break;
+      }
+      case Code::sqrt: {
+        const double root = std::sqrt(Rules::value(a));
+        *next = Rules::chain(a, root, 0.5 * root * reciprocal_or_zero(Rules::value(a)));
+        break;
+      }
+      case Code::exp: {
+        const double value = std::exp(Rules::value(a));
+        *next = Rules::chain(a, value, value);
+        break;
+      }
+      case Code::log:
+        *next = Rules::chain(a, std::log(Rules::value(a)), reciprocal_or_zero(Rules::value(a)));
+        break;
+      case Code::sin:
+        *next = Rules::chain(a, std::sin(Rules::value(a)), std::cos(Rules::value(a)));
+        break;
+      case Code::cos:
+        *next = Rules::chain(a, std::cos(Rules::value(a)), -std::sin(Rules::value(a)));
+        break;
+      case Code::hypot: {
+        const Number sum = Rules::multiply(a, a) + Rules::multiply(b, b);
+        const double root = std::sqrt(Rules::value(sum));
+        *next = Rules::chain(sum, root, 0.5 * root * reciprocal_or_zero(Rules::value(sum)));
+        break;
+      }
+      case Code::min:
+        *next = Rules::value(b) < Rules::value(a) ? b : a;
+        break;
+      case Code::max:
+        *next = Rules::value(a) < Rules::value(b) ? b : a;
+        break;
+    }
+    ++next;
+  }
+  return next[-1];
+}
+
+double PointProgram::value(const Point& point) const { return run(Plain(), point); }
+
+double PointProgram::value_and_slope(const Point& point, int axis, double& slope) const {
+  const WithSlope::Number result = run(WithSlope{axis}, point);
+  slope = result.slope;
+  return result.value;
+}
+
+double PointProgram::value_and_gradient(const Point& point, Point& gradient) const {
+  const Slopes result = run(WithGradient(), point);
+  gradient = {result[1], result[2], result[3]};
+  return result[0];
+}
+
+}  // namespace rfm
