@@ -69,8 +69,12 @@ class BoxReach {
     const FunctionBounds bounds = level.bounds(box_);
     Box point = box_;
     point.low = point.high = center_;
-    Undecided known{
-        primitive, bounds.smooth, {level.value_bounds(point), bounds.gradient}, far_, far_};
+    const auto& slopes = bounds.gradient;
+    Undecided known{primitive,
+                    bounds.smooth,
+                    {level.value_bounds(point), {slopes[0], slopes[1], slopes[2]}},
+                    far_,
+                    far_};
     if (bounds.smooth) {
       known.inside = of_positive(known.bounds);
       known.outside = of_positive(-known.bounds);
