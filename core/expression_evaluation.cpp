@@ -237,15 +237,30 @@ class ExpressionEvaluator {
     const OperationRow* row = find_operation(std::string_view(name));
     if (!row) refuse_function(name, node);
     const bool takes_more = row->operation == Operation::min || row->operation == Operation::max;
-    const auto arity = static_cast<std::size_t>(row->arity);
+    const auto arity = static_cast<std::size_t>(row->arity + row->numbers);
     check_count(name, node, arity, takes_more ? node.argument_count : arity);
     const std::vector<Field> arguments =
         scalars(expression, i, take_arguments(stack, node.argument_count));
+    if (row->numbers > 0) return with_number(*row, expression, i, arguments);
     if (!takes_more) return apply_operation(row->operation, arguments);
     Field extreme = arguments[0];
     for (std::size_t k = 1; k < arguments.size(); ++k)
       extreme = apply(row->operation, {extreme, arguments[k]});
     return extreme;
+  }
+
+  // The last argument is the number.
+  static Field with_number(const OperationRow& row, const Expression& expression, std::size_t i,
+                           std::vector<Field> arguments) {
+    const Node& last = expression.nodes()[i - 1];
+    const Field number = std::move(arguments.back());
+    arguments.pop_back();
+    const std::string expected =
+        objection_to_number(row.operation, number.is_constant() ? number.constant() : std::nan(""));
+    if (!expected.empty())
+      throw InputError("the last argument of " + std::string(row.name) + " must be " + expected,
+                       last.begin, last.end - last.begin);
+    return apply(row.operation, std::move(arguments), number.constant());
   }
 
   ExpressionValue call_function(const ExpressionFunction& function, const std::string& name,

@@ -19,13 +19,13 @@ Field make(Operation operation, std::vector<Field> arguments, double number = 0,
 }
 
 // A fold that would give NaN is left for evaluation, which can say where it happened.
-bool fold(Operation operation, const std::vector<Field>& arguments, double& result) {
+bool fold(Operation operation, const std::vector<Field>& arguments, double number, double& result) {
   for (const Field& argument : arguments)
     if (!argument.is_constant()) return false;
   using Number = Jet<double, 1, 0>;
   std::array<Number, 3> numbers{};
   for (std::size_t i = 0; i < arguments.size(); ++i) numbers[i] = arguments[i].constant();
-  result = apply_rule(operation, numbers[0], numbers[1], numbers[2]).value();
+  result = apply_rule(operation, numbers[0], numbers[1], numbers[2], number).value();
   return std::isfinite(result);
 }
 
@@ -82,15 +82,23 @@ Field field(std::shared_ptr<const FieldSource> source) {
   return Field(std::shared_ptr<const Field::Node>(std::move(node)));
 }
 
-Field apply(Operation operation, std::vector<Field> arguments) {
+Field apply(Operation operation, std::vector<Field> arguments, std::optional<double> number) {
   const OperationRow* row = find_operation(operation);
   if (!row) throw InvalidArgument("this operation has a builder of its own");
+  const std::string name(row->name);
   if (row->arity != static_cast<int>(arguments.size()))
-    throw InvalidArgument(std::string(row->name) + " takes " + std::to_string(row->arity) +
-                          " arguments, got " + std::to_string(arguments.size()));
+    throw InvalidArgument(name + " takes " + std::to_string(row->arity) + " arguments, got " +
+                          std::to_string(arguments.size()));
+  if (number.has_value() != (row->numbers == 1))
+    throw InvalidArgument(name +
+                          (number ? " takes no number" : " needs a number beside its arguments"));
+  if (number)
+    if (const std::string expected = objection_to_number(operation, *number); !expected.empty())
+      throw InvalidArgument(name + " needs " + expected + ", got " + std::to_string(*number));
   double value = 0;
-  if (fold(operation, arguments, value)) return Field(value);
-  return make(operation, std::move(arguments));
+  if (fold(operation, arguments, number.value_or(0), value)) return Field(value);
+  const int index = operation == Operation::integer_power ? static_cast<int>(*number) : 0;
+  return make(operation, std::move(arguments), number.value_or(0), index);
 }
 
 Field operator+(const Field& a, const Field& b) {
@@ -132,9 +140,8 @@ Field pow(const Field& a, const Field& b) {
   if (exponent == 1) return a;
   if (a.is_constant() && std::isfinite(std::pow(a.constant(), exponent)))
     return std::pow(a.constant(), exponent);
-  if (exponent == std::floor(exponent) && std::fabs(exponent) <= 64)
-    return make(Operation::integer_power, {a}, exponent, static_cast<int>(exponent));
-  return make(Operation::real_power, {a}, exponent);
+  const bool is_whole = exponent == std::floor(exponent) && std::fabs(exponent) <= 64;
+  return apply(is_whole ? Operation::integer_power : Operation::real_power, {a}, exponent);
 }
 
 Field sqrt(const Field& a) { return unary(Operation::sqrt, a); }

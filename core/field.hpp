@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,9 +74,11 @@ inline Field time_coordinate() { return coordinate(3); }
 Field parameter(int index);
 /// A function that is not an expression: a solved field, a sampled distance (field_source.hpp).
 Field field(std::shared_ptr<const FieldSource> source);
-/// `operation` applied to its arguments. Throws `InvalidArgument` on a wrong number of arguments or
-/// when the operation is not a plain function (leaves, powers and partial have their own builders).
-Field apply(Operation operation, std::vector<Field> arguments);
+/// `operation` applied to its arguments, and to a number if the table says that it has one. Throws
+/// `InvalidArgument` on a wrong number of arguments, a number that is missing, superfluous or out
+/// of range, or when the operation is not in the table (leaves and partial have their own
+/// builders).
+Field apply(Operation operation, std::vector<Field> arguments, std::optional<double> number = {});
 
 Field operator+(const Field& a, const Field& b);
 Field operator-(const Field& a, const Field& b);

@@ -327,7 +327,8 @@ Jet<T, N, K> log(const Jet<T, N, K>& a) {
   TaylorSeries<T, K> taylor;
   taylor[0] = log(a.c[0]);
   if (a.order() > 0) {
-    const T inverse = reciprocal_or_zero(a.c[0]);
+    // Where the logarithm is not defined its derivatives are not either.
+    const T inverse = nan_where_nan(reciprocal_or_zero(a.c[0]), taylor[0]);
     T power = inverse;
     for (int k = 1; k <= a.order(); ++k) {
       taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
@@ -481,42 +482,52 @@ Jet<T, N, K> floor(const Jet<T, N, K>& a) {
   return Jet<T, N, K>::constant(floor(a.c[0]));
 }
 
+// What depends on a comparison with NaN is NaN itself: a point outside the domain of a function
+// must not pass for the other side of a condition.
+
+template <class T, int N, int K>
+Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const T& argument) {
+  for (T& coefficient : f.c) coefficient = nan_where_nan(coefficient, argument);
+  return f;
+}
+
 /// 1 where the mask holds, else 0.
 template <class T, int N, int K>
-Jet<T, N, K> indicator(const auto& mask) {
-  return Jet<T, N, K>::constant(select(mask, T(1.0), T(0.0)));
+Jet<T, N, K> indicator(const auto& mask, const T& argument) {
+  return nan_where_nan(Jet<T, N, K>::constant(select(mask, T(1.0), T(0.0))), argument);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> step(const Jet<T, N, K>& a) {
-  return indicator<T, N, K>(less_equal(T(0.0), a.c[0]));
+  return indicator<T, N, K>(less_equal(T(0.0), a.c[0]), a.c[0]);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> less_than(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return indicator<T, N, K>(less(a.c[0], b.c[0]));
+  return nan_where_nan(indicator<T, N, K>(less(a.c[0], b.c[0]), a.c[0]), b.c[0]);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> at_most(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return indicator<T, N, K>(less_equal(a.c[0], b.c[0]));
+  return nan_where_nan(indicator<T, N, K>(less_equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> equals(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return indicator<T, N, K>(equal(a.c[0], b.c[0]));
+  return nan_where_nan(indicator<T, N, K>(equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> choose(const Jet<T, N, K>& condition, const Jet<T, N, K>& yes,
                     const Jet<T, N, K>& no) {
-  return select(equal(condition.c[0], T(0.0)), no, yes);
+  return nan_where_nan(select(equal(condition.c[0], T(0.0)), no, yes), condition.c[0]);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> sign(const Jet<T, N, K>& a) {
   const T negative_or_zero = select(less(a.c[0], T(0.0)), T(-1.0), T(0.0));
-  return Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero));
+  return nan_where_nan(
+      Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero)), a.c[0]);
 }
 
 template <class T, int N, int K>
@@ -526,17 +537,27 @@ Jet<T, N, K> abs(const Jet<T, N, K>& a) {
 
 template <class T, int N, int K>
 Jet<T, N, K> min(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return select(less(b.c[0], a.c[0]), b, a);
+  return select(less_or_nan(b.c[0], a.c[0]), b, a);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> max(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return select(less(a.c[0], b.c[0]), b, a);
+  return select(greater_or_nan(b.c[0], a.c[0]), b, a);
 }
 
+/// a − b ⌊a / b⌋.
 template <class T, int N, int K>
 Jet<T, N, K> mod(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return a - b * floor(a / b);
+  if constexpr (requires { floored_remainder(a.c[0], b.c[0]); }) {
+    // Next to multiples of b the quotient may round to the wrong whole number.
+    using std::floor;
+    const T rest = floored_remainder(a.c[0], b.c[0]);
+    Jet<T, N, K> result = a - scaled(T(floor((a.c[0] - rest) / b.c[0] + T(0.5))), b);
+    result.c[0] = rest;
+    return result;
+  } else {
+    return a - b * floor(a / b);
+  }
 }
 
 /// aᵇ = exp(b log a); at a = 0 its limit, 0⁰ = 1, and derivatives 0 by convention.
@@ -547,10 +568,12 @@ Jet<T, N, K> general_power(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   return select(equal(a.c[0], T(0.0)), Jet<T, N, K>::constant(limit), regular);
 }
 
-/// √(a² + b²).
+/// √(a² + b²); numbers whose squares would overflow or underflow are scaled by a power of two.
 template <class T, int N, int K>
 Jet<T, N, K> hypot(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return sqrt(square(a) + square(b));
+  T scale;
+  if (!squares_need_scale(a.c[0], b.c[0], scale)) return sqrt(square(a) + square(b));
+  return scaled(T(1.0) / scale, sqrt(square(scaled(scale, a)) + square(scaled(scale, b))));
 }
 
 }  // namespace rfm

@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/jet.hpp"
+#include "core/r_bounds.hpp"
 
 namespace rfm {
 
@@ -97,17 +97,23 @@ template <bool conjunction, class T, int N, int K>
   (std::make_index_sequence<N>{});
 }
 
-/// The same for bounds and for jets of any order: composed, with the value in the stable form.
+template <class T, int N, int K>
+Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b);
+
+/// The same for bounds and for jets of any order: composed. The low orders of the latter are
+/// replaced by the fused rule.
 template <bool conjunction, class Number>
 Number r0_composed(const Number& a, const Number& b) {
   if constexpr (!conjunction) {
     return -r0_composed<true>(-a, -b);
   } else {
-    const Number root = hypot(a, b);
-    Number result = a + b - root;
-    const auto sum = a.c[0] + b.c[0], product = a.c[0] * b.c[0];
-    const auto stable = (product + product) / (sum + root.c[0]);
-    result.c[0] = select(certain(less(decltype(sum)(0.0), sum)), stable, result.c[0]);
+    using T = std::decay_t<decltype(a.c[0])>;
+    Number result = a + b - hypot(a, b);
+    if constexpr (is_bound<T>) {
+      result.c[0] =
+          narrowed_to_corners(result.c[0], a.c[0], b.c[0],
+                              [](const auto& x, const auto& y) { return r0_conjunction(x, y); });
+    }
     return result;
   }
 }

@@ -4,16 +4,18 @@
 #include "core/jet.hpp"
 #include "core/jet_r_functions.hpp"
 #include "core/operations.hpp"
+#include "core/r_rules.hpp"
 #include "core/taylor_bound.hpp"
 
 namespace rfm {
 
 /// Applies a row of the operation table, known at compile time, to its arguments (those beyond its
-/// arity are ignored). `Number` is a jet over any kind of number.
+/// arity are ignored). `Number` is a jet over any kind of number, `number` the constant of an
+/// operation that has one.
 template <Operation operation, class Number>
 Number apply_rule(const Number& a, [[maybe_unused]] const Number& b,
-                  [[maybe_unused]] const Number& c) {
-#define RFM_APPLY(id, name, arity, rule, formula, not_smooth) \
+                  [[maybe_unused]] const Number& c, [[maybe_unused]] double number = 0) {
+#define RFM_APPLY(id, name, arity, numbers, rule, ...) \
   if constexpr (operation == Operation::id) return rule;
   RFM_OPERATIONS(RFM_APPLY)
 #undef RFM_APPLY
@@ -21,11 +23,12 @@ Number apply_rule(const Number& a, [[maybe_unused]] const Number& b,
 
 /// The same for an operation known at run time.
 template <class Number>
-Number apply_rule(Operation operation, const Number& a, const Number& b, const Number& c) {
+Number apply_rule(Operation operation, const Number& a, const Number& b, const Number& c,
+                  double number = 0) {
   switch (operation) {
 #define RFM_CASE(id, ...) \
   case Operation::id:     \
-    return apply_rule<Operation::id>(a, b, c);
+    return apply_rule<Operation::id>(a, b, c, number);
     RFM_OPERATIONS(RFM_CASE)
 #undef RFM_CASE
     default:

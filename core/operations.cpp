@@ -1,6 +1,7 @@
 #include "core/operations.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rfm {
 
@@ -12,6 +13,29 @@ const OperationRow* find_operation(Operation operation) {
 const OperationRow* find_operation(std::string_view name) {
   const auto* row = std::ranges::find(operation_table, name, &OperationRow::name);
   return row == operation_table.end() ? nullptr : row;
+}
+
+std::string objection_to_number(Operation operation, double number) {
+  const auto whole_within = [number](double least, double most) {
+    return number == std::floor(number) && number >= least && number <= most;
+  };
+  switch (operation) {
+    case Operation::integer_power:
+      return whole_within(-64, 64) ? "" : "a whole number from -64 to 64";
+    case Operation::real_power:
+      return std::isfinite(number) ? "" : "a finite number";
+    case Operation::ralpha_conjunction:
+    case Operation::ralpha_disjunction:
+      return number > -1 && number <= 1 ? "" : "a number > -1 and <= 1";
+    case Operation::rp_conjunction:
+    case Operation::rp_disjunction:
+      return whole_within(2, 64) && std::fmod(number, 2) == 0 ? ""
+                                                              : "an even whole number from 2 to 64";
+    case Operation::rp_equivalence:
+      return whole_within(1, 64) ? "" : "a whole number from 1 to 64";
+    default:
+      return "";
+  }
 }
 
 }  // namespace rfm

@@ -12,17 +12,14 @@ Field conjunction_alpha(const Field& x, const Field& y, double alpha) {
     throw InvalidArgument("R-alpha functions need -1 < alpha <= 1, got " + std::to_string(alpha));
   if (alpha == 0) return apply(Operation::r0_conjunction, {x, y});
   if (alpha == 1) return min(x, y);
-  const Field sum = x + y, root = sqrt(x * x + y * y - 2 * alpha * x * y);
-  // Next to the boundary the difference cancels, its other form does not.
-  return select(apply(Operation::less, {0.0, sum}), 2 * x * y / (sum + root),
-                (sum - root) / (1 + alpha));
+  return apply(Operation::ralpha_conjunction, {x, y}, alpha);
 }
 
 Field conjunction_p(const Field& x, const Field& y, int p) {
   if (p < 2 || p % 2 != 0)
     throw InvalidArgument("R-p functions need an even p >= 2, got " + std::to_string(p));
   if (p == 2) return apply(Operation::r0_conjunction, {x, y});
-  return x + y - pow(pow(x, p) + pow(y, p), 1.0 / p);
+  return apply(Operation::rp_conjunction, {x, y}, p);
 }
 
 }  // namespace

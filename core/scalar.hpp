@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <experimental/simd>
 
 #include "core/interval.hpp"
@@ -65,10 +66,49 @@ inline BatchMask farther_from_zero(const Batch& a, const Batch& b) {
   return std::experimental::abs(a) > std::experimental::abs(b);
 }
 
-// Where two formulas are equal, bounds may take either: a choice that is not certain is no.
-inline bool certain(bool condition) { return condition; }
-inline BatchMask certain(const BatchMask& condition) { return condition; }
-inline Truth certain(Truth condition) { return condition == Truth::yes ? condition : Truth::no; }
+/// `value`, but NaN where `argument` is. Bounds speak of points where all is defined.
+inline double nan_where_nan(double value, double argument) {
+  return std::isnan(argument) ? argument : value;
+}
+inline Batch nan_where_nan(const Batch& value, const Batch& argument) {
+  return select(argument == argument, value, argument);
+}
+inline const Interval& nan_where_nan(const Interval& value, const Interval&) { return value; }
+
+/// a < b or a > b, and where a is NaN: so that `select(…, a, b)` is NaN wherever one of them is.
+inline bool less_or_nan(double a, double b) { return a < b || std::isnan(a); }
+inline bool greater_or_nan(double a, double b) { return a > b || std::isnan(a); }
+inline BatchMask less_or_nan(const Batch& a, const Batch& b) { return a < b || a != a; }
+inline BatchMask greater_or_nan(const Batch& a, const Batch& b) { return a > b || a != a; }
+inline Truth less_or_nan(const Interval& a, const Interval& b) { return less(a, b); }
+inline Truth greater_or_nan(const Interval& a, const Interval& b) { return less(b, a); }
+
+/// a − b ⌊a / b⌋ without the rounding of the quotient: 0 or of the sign of b. Not for bounds.
+template <std::floating_point Real>
+inline Real floored_remainder(Real a, Real b) {
+  const Real rest = std::fmod(a, b);
+  return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+inline Batch floored_remainder(const Batch& a, const Batch& b) {
+  return Batch([&](auto lane) { return floored_remainder<double>(a[lane], b[lane]); });
+}
+
+/// Whether a² + b² may overflow or lose digits to underflow; then with a power of two, lane by
+/// lane, that brings both to where it does not. The range of bounds is wide enough as it is.
+inline bool squares_need_scale(double a, double b, double& scale) {
+  const double larger = std::max(std::fabs(a), std::fabs(b));
+  if ((larger > 0x1p-480 && larger < 0x1p500) || larger == 0) return false;
+  scale = larger < 1 ? 0x1p550 : 0x1p-550;
+  return true;
+}
+inline bool squares_need_scale(const Batch& a, const Batch& b, Batch& scale) {
+  const Batch larger = std::experimental::max(std::experimental::abs(a), std::experimental::abs(b));
+  const BatchMask tiny = larger <= Batch(0x1p-480), large = larger >= Batch(0x1p500);
+  if (std::experimental::none_of((tiny && larger > Batch(0.0)) || large)) return false;
+  scale = select(tiny, Batch(0x1p550), select(large, Batch(0x1p-550), Batch(1.0)));
+  return true;
+}
+inline bool squares_need_scale(const Interval&, const Interval&, Interval&) { return false; }
 
 /// 1 / a, or 0 where a = 0: derivatives at singular points are finite by convention (see jet.hpp).
 template <class T>

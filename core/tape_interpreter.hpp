@@ -69,12 +69,6 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
       case Operation::partial:
         results[i] = differentiate(operand(0), instruction.index);
         break;
-      case Operation::integer_power:
-        results[i] = integer_power(operand(0), instruction.index);
-        break;
-      case Operation::real_power:
-        results[i] = real_power(operand(0), instruction.number);
-        break;
       case Operation::scale:
         results[i] = scaled(T(instruction.number), operand(0));
         break;
@@ -83,7 +77,8 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
         results[i].c[0] = results[i].c[0] + T(instruction.number);
         break;
       default:
-        results[i] = apply_rule(instruction.operation, operand(0), operand(1), operand(2));
+        results[i] = apply_rule(instruction.operation, operand(0), operand(1), operand(2),
+                                instruction.number);
     }
   }
   const Number result = results[last];

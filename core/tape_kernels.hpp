@@ -37,7 +37,7 @@ struct Kernels {
       BatchJet b, c;
       if constexpr (arity > 1) b = load(step.arguments[1], memory, lane);
       if constexpr (arity > 2) c = load(step.arguments[2], memory, lane);
-      store(apply_rule<operation>(a, b, c), memory + step.result + lane);
+      store(apply_rule<operation>(a, b, c, *step.constants), memory + step.result + lane);
     }
   }
 
@@ -70,14 +70,6 @@ struct Kernels {
       store(rule(load(step.arguments[0], memory, lane)), memory + step.result + lane);
   }
 
-  static void integer_power(const Step& step, double* memory, int count) {
-    apply_to_one(step, memory, count,
-                 [&](const BatchJet& a) { return rfm::integer_power(a, step.index); });
-  }
-  static void real_power(const Step& step, double* memory, int count) {
-    apply_to_one(step, memory, count,
-                 [&](const BatchJet& a) { return rfm::real_power(a, *step.constants); });
-  }
   static void scale(const Step& step, double* memory, int count) {
     apply_to_one(step, memory, count,
                  [&](const BatchJet& a) { return scaled(Batch(*step.constants), a); });
@@ -108,10 +100,6 @@ struct Kernels {
       if (operation == Operation::r0_disjunction) return r0_function<false>;
     }
     switch (operation) {
-      case Operation::integer_power:
-        return integer_power;
-      case Operation::real_power:
-        return real_power;
       case Operation::scale:
         return scale;
       case Operation::offset:

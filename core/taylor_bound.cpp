@@ -89,6 +89,11 @@ double TaylorBound::linear_extent() const {
   return extent;
 }
 
+TaylorBound narrowed(TaylorBound a, const Interval& range) {
+  a.range = intersection(a.range, range);
+  return a.range.contains(a.value) ? a : from_range(a.range, a.smooth);
+}
+
 TaylorBound operator+(const TaylorBound& a, const TaylorBound& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;

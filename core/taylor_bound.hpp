@@ -91,6 +91,23 @@ inline Truth less_equal(const TaylorBound& a, const TaylorBound& b) {
   return less_equal(a.range, b.range);
 }
 inline Truth equal(const TaylorBound& a, const TaylorBound& b) { return equal(a.range, b.range); }
+inline const TaylorBound& nan_where_nan(const TaylorBound& value, const TaylorBound&) {
+  return value;
+}
+inline Truth less_or_nan(const TaylorBound& a, const TaylorBound& b) {
+  return less(a.range, b.range);
+}
+inline Truth greater_or_nan(const TaylorBound& a, const TaylorBound& b) {
+  return less(b.range, a.range);
+}
+inline bool squares_need_scale(const TaylorBound&, const TaylorBound&, TaylorBound&) {
+  return false;
+}
+/// The same function, of which it is also known that it lies in `range`.
+TaylorBound narrowed(TaylorBound a, const Interval& range);
+inline Interval narrowed(const Interval& a, const Interval& range) {
+  return intersection(a, range);
+}
 /// Both sides, and no longer smooth, where the truth is unknown.
 TaylorBound select(Truth condition, const TaylorBound& yes, const TaylorBound& no);
 inline Truth farther_from_zero(const TaylorBound& a, const TaylorBound& b) {

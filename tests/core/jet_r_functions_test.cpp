@@ -1,20 +1,11 @@
-#include "core/jet_r_functions.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
 
+#include "tests/core/operation_rows.hpp"
+
 namespace rfm {
-
-// What the rules need of long double, the reference.
-inline bool less(long double a, long double b) { return a < b; }
-inline bool equal(long double a, long double b) { return a == b; }
-inline long double select(bool condition, long double yes, long double no) {
-  return condition ? yes : no;
-}
-inline long double square(long double a) { return a * a; }
-
 namespace {
 
 constexpr double ulp = 0x1p-52;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <type_traits>
+
+#include "core/jet.hpp"
+#include "core/taylor_bound.hpp"
+
+namespace rfm {
+
+// Bounds of R-functions. Conjunctions and disjunctions increase in both arguments: the range over a
+// box of arguments is that between two of its corners.
+
+template <class T>
+inline constexpr bool is_bound = std::is_same_v<T, Interval> || std::is_same_v<T, TaylorBound>;
+
+inline const Interval& range_of_bound(const Interval& a) { return a; }
+inline const Interval& range_of_bound(const TaylorBound& a) { return a.range; }
+
+/// Narrows bounds of f(a, b) to [f(a.low, b.low), f(a.high, b.high)] for an f that increases in
+/// both arguments and has a relative error below 10⁻¹⁴.
+template <class T, class Function>
+T narrowed_to_corners(const T& bounds, const T& a, const T& b, const Function& function) {
+  const Interval &x = range_of_bound(a), &y = range_of_bound(b);
+  const auto margin = [](double value, double left, double right) {
+    if (value == 0 && (left == 0 || right == 0)) return 0.0;
+    return 1e-14 * std::fabs(value) + std::numeric_limits<double>::min();
+  };
+  if (!(x.magnitude() < 1e300 && y.magnitude() < 1e300)) return bounds;
+  using Number = Jet<double, 1, 0>;
+  const double low = function(Number(x.low), Number(y.low)).value();
+  const double high = function(Number(x.high), Number(y.high)).value();
+  return narrowed(bounds, {low - margin(low, x.low, y.low), high + margin(high, x.high, y.high)});
+}
+
+/// Narrows bounds of a function of which |f| ≤ factor min(|a|, |b|) is known.
+template <class T>
+T narrowed_to_smaller(const T& bounds, const T& a, const T& b, double factor) {
+  const double most =
+      factor * std::min(range_of_bound(a).magnitude(), range_of_bound(b).magnitude());
+  return narrowed(bounds, {-most, most});
+}
+
+}  // namespace rfm
