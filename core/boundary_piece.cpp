@@ -2,15 +2,9 @@
 
 #include "core/contact.hpp"
 #include "core/r_functions.hpp"
+#include "core/trim.hpp"
 
 namespace rfm {
-
-Field trim(const Field& gamma, const Field& lambda) {
-  const Field root = sqrt(lambda * lambda + pow(gamma, 4));
-  const Field on_piece = abs(gamma) * sqrt(1.0 + pow(gamma, 6) / (4.0 * pow(root + lambda, 2)));
-  const Field beyond = sqrt(gamma * gamma + pow(root - lambda, 2) / 4.0);
-  return select(apply(Operation::less, {0.0, lambda}), on_piece, beyond);
-}
 
 Side side_of(int primitive, const RegionEvaluator& region) {
   const BooleanExpression expression = region.region().expression().negations_at_leaves();

@@ -38,9 +38,4 @@ std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);
 /// tells).
 BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const Box& bounds);
 
-/// √(γ² + (√(λ² + γ⁴) − λ)² / 4): zero where γ = 0 and λ ≥ 0, positive elsewhere, and normalised
-/// where γ is; eq. (5.1) of Shapiro (2007). For λ > 0 it is taken as
-/// |γ| √(1 + γ⁶ / (4 (√(λ² + γ⁴) + λ)²)), which does not cancel near γ = 0.
-Field trim(const Field& gamma, const Field& lambda);
-
 }  // namespace rfm

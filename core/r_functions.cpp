@@ -1,38 +1,114 @@
 #include "core/r_functions.hpp"
 
-#include <vector>
+#include <string>
 
 #include "core/error.hpp"
 
 namespace rfm {
 namespace {
 
-Field conjunction_alpha(const Field& x, const Field& y, double alpha) {
-  if (!(alpha > -1 && alpha <= 1))
-    throw InvalidArgument("R-alpha functions need -1 < alpha <= 1, got " + std::to_string(alpha));
-  if (alpha == 0) return apply(Operation::r0_conjunction, {x, y});
-  if (alpha == 1) return min(x, y);
-  return apply(Operation::ralpha_conjunction, {x, y}, alpha);
+void require_order(int m) {
+  if (m < 1 || m > 16)
+    throw InvalidArgument("the order m of a system of R-functions is 1 to 16, got " +
+                          std::to_string(m));
 }
 
-Field conjunction_p(const Field& x, const Field& y, int p) {
-  if (p < 2 || p % 2 != 0)
-    throw InvalidArgument("R-p functions need an even p >= 2, got " + std::to_string(p));
-  if (p == 2) return apply(Operation::r0_conjunction, {x, y});
-  return apply(Operation::rp_conjunction, {x, y}, p);
+// |f|ⁿ.
+Field absolute_power(const Field& f, int n) {
+  return n % 2 == 0 ? pow(f, n) : abs(f) * pow(f, n - 1);
+}
+
+struct Conjunction {
+  const Field &x, &y;
+
+  Field operator()(const RAlpha& system) const {
+    if (system.alpha == 0) return apply(Operation::r0_conjunction, {x, y});
+    if (system.alpha == 1) return min(x, y);
+    return apply(Operation::ralpha_conjunction, {x, y}, system.alpha);
+  }
+  Field operator()(const R1&) const { return min(x, y); }
+  Field operator()(const Rp& system) const {
+    if (system.p == 2) return apply(Operation::r0_conjunction, {x, y});
+    return apply(Operation::rp_conjunction, {x, y}, system.p);
+  }
+  Field operator()(const RAlphaField& system) const {
+    const Field& alpha = system.alpha;
+    if (alpha.is_constant()) return (*this)(RAlpha{alpha.constant()});
+    // x² + y² − 2αxy as a sum of squares; next to the boundary the difference cancels, its other
+    // form does not.
+    const Field sum = x + y, difference = x - y;
+    const Field root =
+        sqrt(0.5 * (1 + alpha) * difference * difference + 0.5 * (1 - alpha) * sum * sum);
+    return select(apply(Operation::less, {0.0, sum}), 2 * x * y / (sum + root),
+                  (sum - root) / (1 + alpha));
+  }
+  Field operator()(const RAlphaM& system) const {
+    require_order(system.m);
+    return (*this)(RAlpha{system.alpha}) * pow(x * x + y * y, 0.5 * system.m);
+  }
+  Field operator()(const RCm& system) const {
+    require_order(system.m);
+    if (system.m == 1) return min(x, y);
+    // sᵐ − eᵐ = (s − e)(s^{m−1} + … + e^{m−1}), and s − e = min(x, y).
+    const Field s = 0.5 * (x + y), e = abs(0.5 * (x - y));
+    Field quotient = 0.0;
+    for (int k = 0; k < system.m; ++k) quotient = quotient + pow(s, k) * pow(e, system.m - 1 - k);
+    return select(apply(Operation::less, {0.0, s}), min(x, y) * quotient,
+                  -absolute_power(s, system.m) - pow(e, system.m));
+  }
+};
+
+template <class Join>
+Field balanced(const std::vector<Field>& fields, double of_none, const Join& join) {
+  if (fields.empty()) return of_none;
+  std::vector<Field> level = fields;
+  while (level.size() > 1) {
+    std::vector<Field> next;
+    for (std::size_t i = 0; i + 1 < level.size(); i += 2)
+      next.push_back(join(level[i], level[i + 1]));
+    if (level.size() % 2 == 1) next.push_back(level.back());
+    level = std::move(next);
+  }
+  return level[0];
 }
 
 }  // namespace
 
 Field conjunction(const Field& x, const Field& y, const RSystem& system) {
-  if (const auto* rp = std::get_if<Rp>(&system)) return conjunction_p(x, y, rp->p);
-  return conjunction_alpha(x, y, std::get<RAlpha>(system).alpha);
+  return std::visit(Conjunction{x, y}, system);
 }
 
 Field disjunction(const Field& x, const Field& y, const RSystem& system) {
   if (const auto* alpha = std::get_if<RAlpha>(&system); alpha && alpha->alpha == 0)
     return apply(Operation::r0_disjunction, {x, y});
+  if (std::holds_alternative<R1>(system)) return max(x, y);
   return -conjunction(-x, -y, system);
+}
+
+Field negation(const Field& x) { return -x; }
+
+Field exclusive_or(const Field& x, const Field& y, const RSystem& system) {
+  if (const auto* alpha = std::get_if<RAlpha>(&system); alpha && alpha->alpha == 0)
+    return apply(Operation::r0_exclusive_or, {x, y});
+  return disjunction(conjunction(-x, y, system), conjunction(x, -y, system), system);
+}
+
+Field implication(const Field& x, const Field& y, const RSystem& system) {
+  return disjunction(-x, y, system);
+}
+
+Field sheffer_stroke(const Field& x, const Field& y, const RSystem& system) {
+  return -conjunction(x, y, system);
+}
+
+Field conjunction(const std::vector<Field>& fields, const RSystem& system) {
+  return balanced(fields, 1.0,
+                  [&](const Field& a, const Field& b) { return conjunction(a, b, system); });
+}
+
+Field disjunction(const std::vector<Field>& fields, const RSystem& system) {
+  return balanced(fields, -1.0,
+                  [&](const Field& a, const Field& b) { return disjunction(a, b, system); });
 }
 
 Field implicit(const BooleanExpression& expression, const Region& region, const RSystem& system) {

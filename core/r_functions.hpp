@@ -1,33 +1,38 @@
 #pragma once
 
-#include <string>
-#include <variant>
+#include <vector>
 
 #include "core/boolean.hpp"
 #include "core/field.hpp"
+#include "core/r_systems.hpp"
 #include "core/region.hpp"
 
 namespace rfm {
 
-/// x ∧ y = (x + y − √(x² + y² − 2αxy)) / (1 + α), −1 < α ≤ 1; α = 0 is R₀, α = 1 is min (R₁).
-struct RAlpha {
-  double alpha = 0;
-};
-/// x ∧ y = x + y − (xᵖ + yᵖ)^(1/p), p even; x + O(xᵖ) on the face x = 0: normalised to order p − 1.
-struct Rp {
-  int p = 4;
-};
-/// A system of R-functions: V. L. Rvachev (1982); V. Shapiro, Semi-analytic geometry with
-/// R-functions, Acta Numerica 16 (2007), §3.2.
-using RSystem = std::variant<RAlpha, Rp>;
+// R-functions: real functions whose sign is a Boolean function (the companion) of the signs of
+// their arguments. Next to the boundary all keep their relative accuracy: differences of nearly
+// equal numbers are computed in the stable form (r_rules.hpp). All throw `InvalidArgument` when the
+// parameter of `system` is out of range.
 
 /// Intersection {x ≥ 0} ∩ {y ≥ 0}: positive exactly where both arguments are positive, and zero on
-/// its boundary. Next to the boundary Rα keeps its relative accuracy (there it is computed as
-/// 2xy / (x + y + √…)), Rp for p > 2 only its absolute one. Throws `InvalidArgument` when the
-/// parameter of `system` is out of range.
+/// its boundary.
 Field conjunction(const Field& x, const Field& y, const RSystem& system = RAlpha{});
 /// Union {x ≥ 0} ∪ {y ≥ 0}, by De Morgan's law: x ∨ y = −(−x ∧ −y).
 Field disjunction(const Field& x, const Field& y, const RSystem& system = RAlpha{});
+/// Complement {x ≤ 0}: −x.
+Field negation(const Field& x);
+/// Where exactly one is positive: (¬x ∧ y) ∨ (x ∧ ¬y). For R₀ in closed form as
+/// −2xy / (√(x² + y² − xy) + √(x² + y²)).
+Field exclusive_or(const Field& x, const Field& y, const RSystem& system = RAlpha{});
+/// Where x ≥ 0 implies y ≥ 0: ¬x ∨ y.
+Field implication(const Field& x, const Field& y, const RSystem& system = RAlpha{});
+/// Sheffer's stroke ¬(x ∧ y), of which every other Boolean function can be made.
+Field sheffer_stroke(const Field& x, const Field& y, const RSystem& system = RAlpha{});
+
+/// Conjunction and disjunction of any number of fields, as a balanced tree in the order given
+/// (systems other than R₁ are not associative); of none, 1 and −1.
+Field conjunction(const std::vector<Field>& fields, const RSystem& system = RAlpha{});
+Field disjunction(const std::vector<Field>& fields, const RSystem& system = RAlpha{});
 
 /// A Boolean expression over primitives with R-functions substituted for its operations; variable v
 /// becomes the normalised function of primitive v.

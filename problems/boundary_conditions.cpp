@@ -5,6 +5,7 @@
 
 #include "core/boundary_piece.hpp"
 #include "core/tape.hpp"
+#include "core/trim.hpp"
 #include "problems/boundary_coverage.hpp"
 #include "problems/result_scope.hpp"
 #include "solution_structures/transfinite.hpp"

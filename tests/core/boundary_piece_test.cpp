@@ -116,41 +116,5 @@ TEST(BoundaryPiece, NormalsAreUnitVectorsOutOfTheRegion) {
   expect(normal_at(a ^ b, 0, {1, 0}), -1, 0);   // and outside of it within b
 }
 
-TEST(Trim, VanishesOnTheHalfLineAloneWithUnitSlope) {
-  const Field half_line = trim(y, x);  // {y = 0, x ≥ 0}
-  for (const double a : {0.0, 0.3, 2.0}) EXPECT_EQ(value_at(half_line, {a, 0}), 0);
-  for (const double a : {-1e-9, -0.3, -2.0})
-    EXPECT_NEAR(value_at(half_line, {a, 0}), std::fabs(a), 1e-15);  // √(λ²) − λ over 2
-  for (double angle = 0.1; angle < 6.2; angle += 0.1)
-    for (const double r : {1e-6, 0.1, 1.0, 10.0})
-      EXPECT_GT(value_at(half_line, {r * std::cos(angle), r * std::sin(angle)}), 0);
-  for (const double a : {0.3, 2.0}) {
-    EXPECT_NEAR(evaluate(half_line, {a, 1e-9}, 1).derivative(0, 1), 1, 1e-15);
-    EXPECT_NEAR(evaluate(half_line, {a, -1e-9}, 1).derivative(0, 1), -1, 1e-15);
-    EXPECT_NEAR(evaluate(half_line, {a, 1e-9}, 1).derivative(1, 0), 0, 1e-15);
-  }
-}
-
-TEST(Trim, KeepsItsDigitsNextToThePiece) {
-  // For λ > 0 it is |γ| (1 + O(γ⁶)).
-  for (const double gamma : {1e-12, -1e-12, 1e-100})
-    EXPECT_NEAR(value_at(trim(y, x), {0.5, gamma}), std::fabs(gamma), 1e-15 * std::fabs(gamma));
-}
-
-TEST(Trim, BothFormsAgreeWithTheFormula) {
-  for (const double gamma : {-0.9, 0.4, 1.3})
-    for (const double lambda : {-1.1, -0.2, 0.3, 0.8}) {
-      const double root = std::sqrt(lambda * lambda + std::pow(gamma, 4)) - lambda;
-      EXPECT_NEAR(value_at(trim(y, x), {lambda, gamma}), std::sqrt(gamma * gamma + root * root / 4),
-                  2e-15);
-    }
-}
-
-TEST(Trim, IsFiniteWithItsDerivativesAtTheEnd) {
-  const PointJet end = evaluate(trim(y, x), {0, 0}, 2);
-  for (int i = 0; i <= 2; ++i)
-    for (int j = 0; i + j <= 2; ++j) EXPECT_TRUE(std::isfinite(end.derivative(i, j)));
-}
-
 }  // namespace
 }  // namespace rfm

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+
+#include "core/spline_field.hpp"
+
 using namespace rfm;
 
 namespace {
@@ -10,16 +15,91 @@ const Field x = x_coordinate(), y = y_coordinate();
 
 TEST(Diagnosis, NothingIsSaidOfFiniteValues) { EXPECT_EQ(diagnose(1 / x, {2, 0}, 2), ""); }
 
-TEST(Diagnosis, InnermostFailingOperationIsNamedWithItsArguments) {
-  EXPECT_EQ(diagnose(exp(1 + sqrt(x - 1)) * y, {0.75, 3}, 2), "sqrt(-0.25)");
-  EXPECT_EQ(diagnose(y + 1 / (x - 2), {2, 0}, 2), "1 / 0");
-  EXPECT_EQ(diagnose(log(x) * 0.5, {0, 0}, 2), "log(0)");
-  EXPECT_EQ(diagnose(pow(x, -2.0), {0, 0}, 2), "0^-2");
+TEST(Diagnosis, InnermostFailingOperationIsNamedWithItsArgumentsAndFormula) {
+  EXPECT_EQ(diagnose(exp(1 + sqrt(x - 1)) * y, {0.75, 3}, 2), "sqrt(-0.25) in sqrt(x - 1)");
+  EXPECT_EQ(diagnose(y + 1 / (x - 2), {2, 0}, 2), "1 / 0 in 1/(x - 2)");
+  EXPECT_EQ(diagnose(log(x) * 0.5, {0, 0}, 2), "log(0) in log(x)");
+  EXPECT_EQ(diagnose(pow(x, -2.0), {0, 0}, 2), "0^-2 in x^-2");
+  EXPECT_EQ(diagnose(pow(x - 1, 0.5), {0.5, 0}, 2), "-0.5^0.5 in (x - 1)^0.5");
+  EXPECT_EQ(diagnose(exp(x * 1000), {1, 0}, 2), "exp(1000) in exp(x*1000)");
+  EXPECT_EQ(diagnose(asin(x) + y, {1.5, 0}, 2), "asin(1.5) in asin(x)");
 }
 
 TEST(Diagnosis, BranchesNotTakenAreNotBlamed) {
   const Field inside = apply(Operation::less, {x, 1.0});
-  EXPECT_EQ(diagnose(select(inside, log(x), sqrt(x - 3)), {-0.5, 0}, 2), "log(-0.5)");
+  EXPECT_EQ(diagnose(select(inside, log(x), sqrt(x - 3)), {-0.5, 0}, 2), "log(-0.5) in log(x)");
+  EXPECT_EQ(diagnose(select(inside, log(x), sqrt(x - 3)), {2, 0}, 2), "sqrt(-1) in sqrt(x - 3)");
+  EXPECT_EQ(diagnose(select(inside, x, sqrt(x - 3)), {-0.5, 0}, 2), "");
+}
+
+TEST(Diagnosis, ComparisonsWithWhatIsNotANumberDoNotHideIt) {
+  const Field root = sqrt(x);
+  const Field below = apply(Operation::less, {root, 1.0});
+  for (const Field& f :
+       {below, select(below, 1.0, y), step(root), sign(root), min(1.0, root), min(root, 1.0),
+        max(1.0, root), max(root, 1.0), apply(Operation::equal, {root, 1.0}),
+        apply(Operation::less_equal, {1.0, root}), 1 - step(root)})
+    EXPECT_EQ(diagnose(f, {-4, 0.5}, 2), "sqrt(-4) in sqrt(x)");
+}
+
+TEST(Diagnosis, DerivativesAreLookedForWhereTheyAreUsed) {
+  EXPECT_EQ(diagnose(1 + partial(log(x), 0), {1e-320, 0}, 2),
+            "a derivative of log(9.99989e-321) in log(x)");
+  EXPECT_EQ(diagnose(partial(sqrt(x - 1), 0), {0.75, 0}, 2), "sqrt(-0.25) in sqrt(x - 1)");
+  // The derivative of log is used elsewhere, but not the one that fails here.
+  const Field shared = log(x);
+  EXPECT_EQ(diagnose(select(step(y), shared + 1 / y, partial(shared, 0)), {1e-320, 0}, 2),
+            "1 / 0 in 1/y");
+}
+
+TEST(Diagnosis, ParametersHaveTheirValues) {
+  const Field f = sqrt(parameter(1) - x);
+  const double values[] = {0.0, 2.0};
+  EXPECT_EQ(diagnose(f, {1, 0}, 2, 0, values), "");
+  EXPECT_EQ(diagnose(f, {3, 0}, 2, 0, values), "sqrt(-1) in sqrt([parameter 1] - x)");
+  EXPECT_EQ(diagnose(f, {3, 0}, 2), "parameter number 1 has no finite value");
+  EXPECT_EQ(diagnose(1 / time_coordinate(), {}, 2, 0), "1 / 0 in 1/t");
+  EXPECT_EQ(diagnose(1 / time_coordinate(), {}, 2, 2), "");
+}
+
+TEST(Diagnosis, SourcesSayWhereTheyAreValid) {
+  const Grid grid({2, {0, -1}, {2, 1}}, {2, 2, 1});
+  const Field sampled = field(std::make_shared<SplineField>(grid, 1, std::vector<double>(9, 1.0)));
+  EXPECT_EQ(diagnose(2 * sampled, {1, 0.5}, 2), "");
+  EXPECT_EQ(diagnose(2 * sampled, {2.5, 0.5}, 2),
+            "a sampled field outside its region [0, 2] x [-1, 1]");
+}
+
+TEST(Diagnosis, LongFormulasAreCutOff) {
+  Field sum = x;
+  for (int i = 0; i < 100; ++i) sum = sum + sin(Field(i) * y);
+  const std::string text = diagnose(1 + log(sum), {-1000, 0}, 2);
+  EXPECT_TRUE(text.starts_with("log(-1000) in log(x + ")) << text;
+  EXPECT_LT(text.size(), 100u);
+  EXPECT_TRUE(text.ends_with("…"));
+}
+
+// CPU time of a diagnosis of a failure at the bottom of a graph of so many nodes.
+double seconds(int nodes) {
+  Field deep = sqrt(x);
+  for (int i = 0; i < nodes / 2; ++i) deep = sin(deep) + y;
+  double least = 1e9;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const std::clock_t begin = std::clock();
+    EXPECT_EQ(diagnose(deep, {-1, 0}, 2), "sqrt(-1) in sqrt(x)");
+    least = std::min(least, double(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+TEST(Diagnosis, CostIsLinearInTheGraphAndDeepGraphsCostNoStack) {
+  // Quadratic cost would be 64 times as much for 8 times the nodes.
+  EXPECT_LT(seconds(80'000), 30 * seconds(10'000) + 0.05);
+}
+
+TEST(PointText, ShowsTenDigits) {
+  EXPECT_EQ(point_text({0.5, -1, 7}, 2), "(0.5, -1)");
+  EXPECT_EQ(point_text({1.0 / 3, 0, 1e-12}, 3), "(0.3333333333, 0, 1e-12)");
 }
 
 }  // namespace

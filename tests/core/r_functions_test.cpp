@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/primitives.hpp"
+#include "core/r_rules.hpp"
 
 namespace rfm {
 
@@ -16,37 +18,83 @@ const Field x = x_coordinate(), y = y_coordinate();
 
 // Failures name the system.
 std::string name_of(const testing::TestParamInfo<RSystem>& info) {
-  if (const auto* system = std::get_if<Rp>(&info.param)) return "Rp" + std::to_string(system->p);
-  const double alpha = std::get<RAlpha>(info.param).alpha;
-  return std::string("RAlpha") + (alpha < 0 ? "Minus" : "") +
-         std::to_string(static_cast<int>(std::fabs(100 * alpha))) + "Percent";
+  std::ostringstream text;
+  text << info.param;
+  std::string name;
+  for (const char c : text.str())
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  return name + "_" + std::to_string(info.index);
 }
 
+// Symmetric in its arguments and in their signs, between −0.5 and 0.8.
+const Field alpha_field = 0.8 - 1.3 * (x * x + y * y) / (1 + x * x + y * y);
+
+// Systems that are normalised, and all of them.
+const auto normalized_systems =
+    testing::Values(RSystem(RAlpha{-0.9}), RSystem(RAlpha{0}), RSystem(RAlpha{0.5}),
+                    RSystem(RAlpha{1}), RSystem(R1{}), RSystem(Rp{2}), RSystem(Rp{4}),
+                    RSystem(Rp{6}), RSystem(RAlphaField{alpha_field}));
+const auto flat_systems =
+    testing::Values(RSystem(RAlphaM{0, 1}), RSystem(RAlphaM{0, 2}), RSystem(RAlphaM{0.3, 3}),
+                    RSystem(RCm{1}), RSystem(RCm{2}), RSystem(RCm{3}), RSystem(RCm{4}));
+
 class EverySystem : public testing::TestWithParam<RSystem> {};
-INSTANTIATE_TEST_SUITE_P(RFunctions, EverySystem,
-                         testing::Values(RAlpha{-0.9}, RAlpha{0}, RAlpha{0.5}, RAlpha{1}, Rp{2},
-                                         Rp{4}, Rp{6}),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Normalized, EverySystem, normalized_systems, name_of);
+INSTANTIATE_TEST_SUITE_P(Flat, EverySystem, flat_systems, name_of);
+class EveryNormalizedSystem : public testing::TestWithParam<RSystem> {};
+INSTANTIATE_TEST_SUITE_P(RFunctions, EveryNormalizedSystem, normalized_systems, name_of);
 class EveryAlpha : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(RFunctions, EveryAlpha, testing::Values(-0.5, 0.0, 0.3, 0.9, 1.0));
 
 constexpr double places[] = {-2.0, -1e-9, 1e-9, 0.7, 3.0};
 
+// The companion of f, at points on both sides of each axis and close to them.
+template <class Companion>
+void expect_sign(const Field& f, const Companion& companion) {
+  for (const double a : places)
+    for (const double b : places)
+      EXPECT_EQ(value_at(f, {a, b}) > 0, companion(a > 0, b > 0)) << "at " << a << ", " << b;
+}
+
 TEST_P(EverySystem, ConjunctionIsPositiveExactlyWhereBothArgumentsAre) {
-  const Field both = conjunction(x, y, GetParam());
-  for (const double a : {-2.0, -1e-9, 1e-9, 3.0})
-    for (const double b : {-2.0, -1e-9, 1e-9, 3.0})
-      EXPECT_EQ(value_at(both, {a, b}) > 0, a > 0 && b > 0) << "at " << a << ", " << b;
+  expect_sign(conjunction(x, y, GetParam()), [](bool a, bool b) { return a && b; });
 }
 
 TEST_P(EverySystem, DisjunctionIsPositiveExactlyWhereAnyArgumentIs) {
-  const Field either = disjunction(x, y, GetParam());
-  for (const double a : {-2.0, -1e-9, 1e-9, 3.0})
-    for (const double b : {-2.0, -1e-9, 1e-9, 3.0})
-      EXPECT_EQ(value_at(either, {a, b}) > 0, a > 0 || b > 0) << "at " << a << ", " << b;
+  expect_sign(disjunction(x, y, GetParam()), [](bool a, bool b) { return a || b; });
 }
 
-TEST_P(EverySystem, ConjunctionIsNormalizedOnItsFace) {
+TEST_P(EverySystem, OtherFunctionsHaveTheSignsOfTheirCompanions) {
+  expect_sign(exclusive_or(x, y, GetParam()), [](bool a, bool b) { return a != b; });
+  expect_sign(implication(x, y, GetParam()), [](bool a, bool b) { return !a || b; });
+  expect_sign(sheffer_stroke(x, y, GetParam()), [](bool a, bool b) { return !(a && b); });
+  expect_sign(negation(x), [](bool a, bool) { return !a; });
+}
+
+TEST_P(EverySystem, ShefferStrokeIsComplete) {
+  // ¬x = x | x and x ∧ y = (x | y) | (x | y) have the right signs (Shapiro 2007, after theorem 1).
+  const auto stroke = [&](const Field& a, const Field& b) {
+    return sheffer_stroke(a, b, GetParam());
+  };
+  expect_sign(stroke(x, x), [](bool a, bool) { return !a; });
+  expect_sign(stroke(stroke(x, y), stroke(x, y)), [](bool a, bool b) { return a && b; });
+  expect_sign(stroke(stroke(x, x), stroke(y, y)), [](bool a, bool b) { return a || b; });
+}
+
+TEST_P(EverySystem, ConjunctionsOfManyHaveTheSignOfTheSmallest) {
+  std::vector<Field> fields;
+  for (int i = 0; i < 7; ++i) fields.push_back(x + 0.25 * i);
+  const Field all = conjunction(fields, GetParam()), any = disjunction(fields, GetParam());
+  for (double a = -2.1; a < 1; a += 0.2) {
+    EXPECT_EQ(value_at(all, {a, 0}) > 0, a > 0) << a;
+    EXPECT_EQ(value_at(any, {a, 0}) > 0, a > -1.5) << a;
+  }
+  EXPECT_TRUE(conjunction(std::vector<Field>{x}, GetParam()).same_as(x));
+  EXPECT_GT(conjunction(std::vector<Field>{}, GetParam()).constant(), 0);
+  EXPECT_LT(disjunction(std::vector<Field>{}, GetParam()).constant(), 0);
+}
+
+TEST_P(EveryNormalizedSystem, ConjunctionIsNormalizedOnItsFace) {
   // On {x = 0, y > 0}: x ∧ y = x + O(x²), so ∂/∂x = 1 and ∂/∂y = 0.
   const PointJet omega = evaluate(conjunction(x, y, GetParam()), {0.0, 2.0}, 1);
   EXPECT_NEAR(omega.derivative(1, 0), 1.0, 1e-14);
@@ -106,6 +154,96 @@ TEST(RFunctions, RpIsNormalizedToOrderPMinusOne) {
   EXPECT_NEAR(evaluate(conjunction(x, y, Rp{2}), {0.0, 2.0}, 2, 2).derivative(2), -0.5, 1e-14);
 }
 
+TEST(RFunctions, RpIsNormalizedToOrderPMinusOneForHigherP) {
+  // (x⁶ + 64)^{1/6} = 2 + x⁶ / 192 + O(x¹²).
+  using Number = Jet<double, 1, 7>;
+  const Number both = rp_conjunction(Number::variable(0, 0.0), Number(2.0), 6);
+  EXPECT_NEAR(both.c[1], 1, 1e-15);
+  for (int k = 2; k <= 5; ++k) EXPECT_NEAR(both.c[k], 0, 1e-15) << k;
+  EXPECT_NEAR(both.c[6], -1.0 / 192, 1e-15);
+}
+
+TEST(RFunctions, RpKeepsItsDigitsNextToTheBoundaryAndInTheCorner) {
+  // On y = 1: x ∧ 1 = x − xᵖ/p + O(x²ᵖ); on x = y = s: s (2 − 2^{1/p}).
+  for (const int p : {2, 4, 6, 10}) {
+    const Field both = conjunction(x, y, Rp{p});
+    for (const double a : {0.01, 1e-12, 1e-200})
+      EXPECT_NEAR(value_at(both, {a, 1}), a - std::expm1(std::log1p(std::pow(a, p)) / p),
+                  1e-15 * a);
+    for (const double s : {1e-200, 1e-20, 7.0, 1e20}) {
+      EXPECT_NEAR(value_at(both, {s, s}), s * (2 - std::pow(2, 1.0 / p)), 2e-15 * s) << p;
+      EXPECT_NEAR(value_at(both, {-s, s}), -s * std::pow(2, 1.0 / p), 2e-15 * s) << p;
+    }
+  }
+}
+
+TEST(RFunctions, RpWithAnExponentOf2IsR0) {
+  using Number = Jet<double, 2, 2>;
+  for (const double a : places)
+    for (const double b : places) {
+      const Number p = rp_conjunction(Number::variable(0, a), Number::variable(1, b), 2);
+      const Number r0 = r0_conjunction(Number::variable(0, a), Number::variable(1, b));
+      for (int k = 0; k < Number::size; ++k)
+        EXPECT_NEAR(p.c[k], r0.c[k], 1e-15 * (1 + std::fabs(r0.c[k])));
+    }
+}
+
+TEST(RFunctions, ExclusiveOrOfR0IsTheCompositionAndKeepsItsDigits) {
+  // (¬x ∧ y) ∨ (x ∧ ¬y), Shapiro (2007) §3.4; on y = 1: −x + O(x²), with coefficient ¼.
+  const Field composed = disjunction(conjunction(-x, y), conjunction(x, -y));
+  const Field direct = exclusive_or(x, y);
+  for (const double a : places)
+    for (const double b : places) {
+      EXPECT_NEAR(value_at(direct, {a, b}), value_at(composed, {a, b}), 4e-15);
+      const PointJet left = evaluate(direct, {a, b}, 2, 2),
+                     right = evaluate(composed, {a, b}, 2, 2);
+      EXPECT_NEAR(left.derivative(1, 0), right.derivative(1, 0), 1e-13);
+      EXPECT_NEAR(left.derivative(0, 1), right.derivative(0, 1), 1e-13);
+    }
+  for (const double a : {1e-12, -1e-12, 1e-40, 1e-250}) {
+    EXPECT_NEAR(value_at(direct, {a, 1}), -a - 0.25 * a * a, 1e-15 * std::fabs(a));
+    EXPECT_NEAR(value_at(direct, {a, a}), -2 * std::fabs(a) / (1 + std::sqrt(2.0)),
+                2e-15 * std::fabs(a));
+  }
+}
+
+TEST(RFunctions, R0mIsMTimesDifferentiableAtTheCorner) {
+  // f = R₀ rᵐ is homogeneous of degree m + 1: derivatives up to order m vanish at 0 and are
+  // continuous there, those of order m + 1 depend on the direction.
+  for (const int m : {1, 2}) {
+    const Field f = conjunction(x, y, RAlphaM{0, m});
+    const PointJet corner = evaluate(f, {0, 0}, m, 2);
+    for (int i = 0; i <= m; ++i)
+      for (int j = 0; i + j <= m; ++j) EXPECT_EQ(corner.derivative(i, j), 0) << i << j;
+    double least = 1e300, most = -1e300;
+    for (double angle = 0; angle < 6; angle += 1) {
+      const double h = 1e-3;
+      const PointJet near = evaluate(f, {h * std::cos(angle), h * std::sin(angle)}, m + 1, 2);
+      for (int i = 0; i <= m; ++i)
+        for (int j = 0; i + j <= m; ++j) EXPECT_LT(std::fabs(near.derivative(i, j)), 60 * h);
+      least = std::min(least, near.derivative(m + 1, 0));
+      most = std::max(most, near.derivative(m + 1, 0));
+    }
+    EXPECT_GT(most - least, 0.5);
+  }
+}
+
+TEST(RFunctions, RCmIsItsFormulaAndSmoothAcrossTheDiagonal) {
+  const auto formula = [](double a, double b, int m) {
+    const double s = 0.5 * (a + b), d = 0.5 * (a - b);
+    return (s > 0 ? 1 : -1) * std::pow(std::fabs(s), m) - std::pow(std::fabs(d), m);
+  };
+  for (const int m : {1, 2, 3, 4})
+    for (const double a : places)
+      for (const double b : places)
+        EXPECT_NEAR(value_at(conjunction(x, y, RCm{m}), {a, b}), formula(a, b, m), 2e-14);
+  // Derivatives up to order m − 1 agree from both sides of x = y.
+  const Field f = conjunction(x, y, RCm{3});
+  const PointJet below = evaluate(f, {1, 1 - 1e-9}, 3, 2), above = evaluate(f, {1, 1 + 1e-9}, 3, 2);
+  for (int k = 0; k <= 2; ++k) EXPECT_NEAR(below.derivative(k), above.derivative(k), 1e-8) << k;
+  EXPECT_NEAR(above.derivative(3) - below.derivative(3), 1.5, 1e-6);  // 2 · 3! / 2³
+}
+
 TEST(RFunctions, ParametersOutOfRangeAreRefused) {
   EXPECT_THROW(conjunction(x, y, RAlpha{-1}), InvalidArgument);  // −1 < α ≤ 1
   EXPECT_THROW(conjunction(x, y, RAlpha{1.01}), InvalidArgument);
@@ -113,6 +251,9 @@ TEST(RFunctions, ParametersOutOfRangeAreRefused) {
   EXPECT_THROW(disjunction(x, y, RAlpha{-1}), InvalidArgument);
   EXPECT_THROW(conjunction(x, y, Rp{3}), InvalidArgument);
   EXPECT_THROW(conjunction(x, y, Rp{0}), InvalidArgument);
+  EXPECT_THROW(conjunction(x, y, RAlphaM{0, 0}), InvalidArgument);
+  EXPECT_THROW(conjunction(x, y, RAlphaM{-1, 1}), InvalidArgument);
+  EXPECT_THROW(conjunction(x, y, RCm{17}), InvalidArgument);
 }
 
 TEST_P(EverySystem, ImplicitFunctionOfARegionHasItsSign) {

@@ -1,0 +1,298 @@
+#include "core/expression_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <deque>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/error.hpp"
+#include "core/expression_tokens.hpp"
+
+namespace rfm {
+namespace {
+
+// How tightly the parts of a formula bind, loosest first, as in the grammar of expression.hpp.
+enum Level : int { comparison, sum, product, negation, power, primary };
+
+constexpr std::size_t deepest_text = 240;   // the parser allows 250
+constexpr std::size_t longest_partial = 4;  // dxxyy: so many axes may stand in one name
+
+using Names = std::unordered_map<const Field::Node*, std::string>;
+
+/// Writes one formula without recursion: graphs may be deeper than the machine's stack.
+class Writer {
+ public:
+  Writer(const ExpressionTextOptions& options, const Names& names)
+      : options_(options), names_(names) {}
+
+  std::string write(const Field::Node& root) {
+    // The root itself is written out, also where it has a name.
+    push(Item{&root, nullptr, comparison, 0, true});
+    while (!pending_.empty()) {
+      const Item item = std::move(pending_.back());
+      pending_.pop_back();
+      if (item.node)
+        expand(item);
+      else
+        text_ += item.literal;
+      if (text_.size() <= options_.longest) continue;
+      if (options_.abbreviated) {
+        text_.resize(whole_characters(options_.longest));
+        return text_ + "…";
+      }
+      throw InvalidArgument("the formula is longer than " + std::to_string(options_.longest) +
+                            " characters: write it with named parts");
+    }
+    return std::move(text_);
+  }
+
+ private:
+  struct Item {
+    const Field::Node* node = nullptr;
+    const char* literal = nullptr;
+    int level = comparison;  // parentheses are needed around what binds less tightly
+    std::size_t depth = 0;
+    bool in_full = false;
+  };
+
+  void push(Item item) { pending_.push_back(std::move(item)); }
+  void push(const char* literal) { push(Item{nullptr, literal, 0, 0, false}); }
+  void push(const Field& field, int level, std::size_t depth) {
+    push(Item{&field.node(), nullptr, level, depth, false});
+  }
+
+  std::size_t whole_characters(std::size_t length) const {
+    while (length > 0 && (static_cast<unsigned char>(text_[length]) & 0xC0) == 0x80) --length;
+    return length;
+  }
+
+  void expand(const Item& item) {
+    const Field::Node& node = *item.node;
+    if (const auto name = names_.find(&node); name != names_.end() && !item.in_full) {
+      text_ += name->second;
+      return;
+    }
+    const int own = level_of(node);
+    const bool parentheses = own < item.level;
+    const std::size_t depth =
+        item.depth + parentheses + (own == primary || own == power || own == negation);
+    if (depth > deepest_text && !options_.abbreviated)
+      throw InvalidArgument("the formula is nested more than " + std::to_string(deepest_text) +
+                            " levels deep: write it with named parts");
+    if (parentheses) {
+      text_ += '(';
+      push(")");
+    }
+    write_node(node, depth);
+  }
+
+  static int level_of(const Field::Node& node) {
+    switch (node.operation) {
+      case Operation::constant:
+        if (!std::isfinite(node.number)) return product;
+        return std::signbit(node.number) ? negation : primary;
+      case Operation::less:
+      case Operation::less_equal:
+      case Operation::equal:
+        return comparison;
+      case Operation::add:
+      case Operation::subtract:
+        return sum;
+      case Operation::multiply:
+      case Operation::divide:
+        return product;
+      case Operation::negate:
+        return negation;
+      case Operation::power:
+      case Operation::integer_power:
+      case Operation::real_power:
+        return power;
+      default:
+        return primary;
+    }
+  }
+
+  // What follows is pushed in reverse: the last item pushed is written first.
+  void write_node(const Field::Node& node, std::size_t depth) {
+    const std::vector<Field>& a = node.arguments;
+    const auto infix = [&](int left, const char* symbol, int right) {
+      push(a[1], right, depth);
+      push(symbol);
+      push(a[0], left, depth);
+    };
+    switch (node.operation) {
+      case Operation::constant:
+        text_ += number_text(node.number);
+        return;
+      case Operation::coordinate:
+      case Operation::parameter:
+      case Operation::source:
+        text_ += leaf_name(node);
+        return;
+      case Operation::partial:
+        return write_partial(node, depth);
+      case Operation::less:
+        return infix(sum, " < ", sum);
+      case Operation::less_equal:
+        return infix(sum, " <= ", sum);
+      case Operation::equal:
+        return infix(sum, " == ", sum);
+      case Operation::add:
+        return infix(sum, " + ", product);
+      case Operation::subtract:
+        return infix(sum, " - ", product);
+      case Operation::multiply:
+        return infix(product, "*", negation);
+      case Operation::divide:
+        return infix(product, "/", negation);
+      case Operation::power:
+        return infix(primary, "^", negation);
+      case Operation::negate:
+        text_ += '-';
+        return push(a[0], negation, depth);
+      case Operation::integer_power:
+      case Operation::real_power:
+        numbers_.push_back("^" + number_text(node.number));
+        push(numbers_.back().c_str());
+        return push(a[0], primary, depth);
+      default:
+        return write_call(node, depth);
+    }
+  }
+
+  void write_call(const Field::Node& node, std::size_t depth) {
+    const OperationRow* row = find_operation(node.operation);
+    if (!row || !is_name(row->name))
+      throw InvalidArgument("an operation of the field has no form as text");
+    text_ += row->name;
+    text_ += '(';
+    push(")");
+    if (row->numbers > 0) {
+      numbers_.push_back(", " + number_text(node.number));
+      push(numbers_.back().c_str());
+    }
+    for (std::size_t i = node.arguments.size(); i-- > 0;) {
+      push(node.arguments[i], comparison, depth);
+      if (i > 0) push(", ");
+    }
+  }
+
+  // ∂/∂x of ∂/∂y of f is dyx(f): inner derivatives first.
+  void write_partial(const Field::Node& node, std::size_t depth) {
+    std::string axes;
+    const Field* inner = nullptr;
+    for (const Field::Node* outer = &node; axes.size() < longest_partial;) {
+      if (outer->index > 2) throw InvalidArgument("only derivatives along x, y and z have a name");
+      axes.insert(axes.begin(), "xyz"[outer->index]);
+      inner = &outer->arguments[0];
+      outer = &inner->node();
+      if (outer->operation != Operation::partial || names_.contains(outer)) break;
+    }
+    text_ += 'd' + axes + '(';
+    push(")");
+    push(*inner, comparison, depth);
+  }
+
+  std::string leaf_name(const Field::Node& node) const {
+    if (node.operation == Operation::coordinate && node.index < 4) return {"xyzt"[node.index]};
+    if (node.operation == Operation::parameter &&
+        node.index < static_cast<int>(options_.parameters.size()))
+      return options_.parameters[static_cast<std::size_t>(node.index)];
+    if (node.operation == Operation::source)
+      for (const auto& [name, field] : options_.names)
+        if (field.node().source == node.source) return name;
+    const std::string what = node.operation == Operation::source
+                                 ? "sampled field"
+                                 : "parameter " + std::to_string(node.index);
+    if (options_.abbreviated) return "[" + what + "]";
+    throw InvalidArgument("a " + what + " has no name in the text");
+  }
+
+  const ExpressionTextOptions& options_;
+  const Names& names_;
+  std::vector<Item> pending_;
+  std::deque<std::string> numbers_;  // literals made here, never moved
+  std::string text_;
+};
+
+Names given_names(const ExpressionTextOptions& options) {
+  Names names;
+  for (const auto& [name, field] : options.names) names.emplace(&field.node(), name);
+  return names;
+}
+
+/// Nodes of a graph, arguments before users, with how often each is used and how deep it is.
+struct Census {
+  struct Entry {
+    int uses = 0;
+    std::size_t depth = 0;
+  };
+  std::vector<const Field::Node*> order;
+  std::unordered_map<const Field::Node*, Entry> entries;
+};
+
+Census take_census(const Field::Node& root) {
+  Census census;
+  std::vector<std::pair<const Field::Node*, bool>> pending{{&root, false}};
+  while (!pending.empty()) {
+    const auto [node, done] = pending.back();
+    pending.pop_back();
+    if (done) {
+      census.order.push_back(node);
+      continue;
+    }
+    if (!census.entries.try_emplace(node).second) continue;
+    pending.emplace_back(node, true);
+    for (const Field& argument : node->arguments) pending.emplace_back(&argument.node(), false);
+  }
+  for (const Field::Node* node : census.order)
+    for (const Field& argument : node->arguments) ++census.entries[&argument.node()].uses;
+  return census;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "0/0";
+  if (std::isinf(value)) return value > 0 ? "1/0" : "-1/0";
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string to_text(const Field& field, const ExpressionTextOptions& options) {
+  const Names names = given_names(options);
+  if (const auto name = names.find(&field.node()); name != names.end()) return name->second;
+  return Writer(options, names).write(field.node());
+}
+
+DefinitionsText to_definitions(const Field& field, const std::string& prefix,
+                               const ExpressionTextOptions& options) {
+  constexpr std::size_t deepest_part = 100;
+  Names names = given_names(options);
+  std::unordered_set<std::string> taken(options.parameters.begin(), options.parameters.end());
+  for (const auto& [node, name] : names) taken.insert(name);
+  Census census = take_census(field.node());
+  DefinitionsText text;
+  int number = 0;
+  for (const Field::Node* node : census.order) {
+    if (node == &field.node() || node->arguments.empty() || names.contains(node)) continue;
+    Census::Entry& entry = census.entries[node];
+    for (const Field& argument : node->arguments)
+      entry.depth = std::max(entry.depth, census.entries[&argument.node()].depth + 1);
+    if (entry.uses < 2 && entry.depth < deepest_part) continue;
+    std::string name;
+    do name = prefix + std::to_string(++number);
+    while (taken.contains(name));
+    text.definitions.emplace_back(name, Writer(options, names).write(*node));
+    names.emplace(node, std::move(name));
+    entry.depth = 0;
+  }
+  const auto name = names.find(&field.node());
+  text.formula = name != names.end() ? name->second : Writer(options, names).write(field.node());
+  return text;
+}
+
+}  // namespace rfm
