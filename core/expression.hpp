@@ -93,6 +93,8 @@ struct ExpressionFunction {
   /// The arguments are not formulas but names of something else, as in `omega(hole)`: they have a
   /// text but no value.
   bool takes_names = false;
+  /// So many arguments at the beginning are texts in quotes, which have no value either.
+  std::size_t text_arguments = 0;
 };
 
 /// What names mean. A value: copy it and define more. `pi` and the functions of the operation table

@@ -61,8 +61,17 @@ class ExpressionEvaluator {
       // A function that is refused is so before its arguments are.
       if ((function && function->takes_names) || scope_.refused_.contains(name))
         std::fill(marked.begin() + nodes[i].first, marked.begin() + static_cast<long>(i), true);
+      else if (function && function->text_arguments > 0)
+        mark_texts(nodes, i, function->text_arguments, marked);
     }
     return marked;
+  }
+
+  static void mark_texts(std::span<const Node> nodes, std::size_t call, std::size_t count,
+                         std::vector<bool>& marked) {
+    const std::vector<std::size_t> roots = argument_roots(nodes, call);
+    for (std::size_t k = 0; k < std::min(count, roots.size()); ++k)
+      if (nodes[roots[k]].kind == Kind::text) marked[roots[k]] = true;
   }
 
   static std::vector<ExpressionValue> take_arguments(std::vector<ExpressionValue>& stack,
@@ -269,14 +278,19 @@ class ExpressionEvaluator {
     const Node& node = expression.nodes()[i];
     check_count(name, node, function.least_arguments, function.most_arguments);
     const std::vector<std::size_t> roots = argument_roots(expression.nodes(), i);
-    std::vector<ExpressionValue> values;
-    if (!function.takes_names) values = take_arguments(stack, node.argument_count);
+    const std::size_t without_value = function.takes_names ? roots.size() : function.text_arguments;
+    for (std::size_t k = 0; k < function.text_arguments; ++k) {
+      const Node& text = expression.nodes()[roots[k]];
+      if (text.kind != Kind::text)
+        throw InputError("expected a text in quotes", text.begin, text.end - text.begin);
+    }
+    const std::vector<ExpressionValue> values = take_arguments(stack, roots.size() - without_value);
     std::vector<ExpressionArgument> arguments;
     for (std::size_t k = 0; k < roots.size(); ++k) {
       const Node& root = expression.nodes()[roots[k]];
       arguments.push_back({expression.text().substr(root.begin, root.end - root.begin), root.begin,
                            root.end - root.begin,
-                           function.takes_names ? ExpressionValue(0.0) : values[k]});
+                           k < without_value ? ExpressionValue(0.0) : values[k - without_value]});
     }
     return function.call(arguments);
   }

@@ -200,9 +200,9 @@ class Writer {
     if (node.operation == Operation::parameter &&
         node.index < static_cast<int>(options_.parameters.size()))
       return options_.parameters[static_cast<std::size_t>(node.index)];
-    if (node.operation == Operation::source)
+    if (node.operation == Operation::source && node.arguments.empty())
       for (const auto& [name, field] : options_.names)
-        if (field.node().source == node.source) return name;
+        if (field.node().source == node.source && field.node().arguments.empty()) return name;
     const std::string what = node.operation == Operation::source
                                  ? "sampled field"
                                  : "parameter " + std::to_string(node.index);

@@ -72,8 +72,38 @@ Field r0_derivative(const Field& v, const Field& a, const Field& b, const Field&
   return weight(b) * da + weight(a) * db;
 }
 
+// ∂f of the other R-functions of two arguments, which have the constant n.
+Field r_derivative(Operation operation, double n, const Field& a, const Field& b, const Field& da,
+                   const Field& db) {
+  const auto norm = [&] { return pow(pow(abs(a), n) + pow(abs(b), n), 1 / n); };
+  switch (operation) {
+    case Operation::ralpha_conjunction:
+    case Operation::ralpha_disjunction: {
+      const Field root =
+          hypot(std::sqrt(0.5 * (1 + n)) * (a - b), std::sqrt(0.5 * (1 - n)) * (a + b));
+      const Field bent = unless_zero(root, ((a - n * b) * da + (b - n * a) * db) / root);
+      const Field sum = da + db;
+      return (operation == Operation::ralpha_conjunction ? sum - bent : sum + bent) / (1 + n);
+    }
+    case Operation::rp_conjunction:
+    case Operation::rp_disjunction: {
+      const Field size = norm();
+      const Field bent = unless_zero(size, pow(a / size, n - 1) * da + pow(b / size, n - 1) * db);
+      return operation == Operation::rp_conjunction ? da + db - bent : da + db + bent;
+    }
+    case Operation::rp_equivalence: {
+      const Field size = norm();
+      return unless_zero(
+          size, b * pow(abs(b) / size, n) / size * da + a * pow(abs(a) / size, n) / size * db);
+    }
+    default:
+      throw InvalidArgument("no derivative is known of the operation " +
+                            std::string(find_operation(operation)->name));
+  }
+}
+
 // ∂f of the operations of two arguments.
-Field derivative(Operation operation, const Field& f, const Field& a, const Field& b,
+Field derivative(Operation operation, double number, const Field& f, const Field& a, const Field& b,
                  const Field& da, const Field& db) {
   switch (operation) {
     case Operation::add:
@@ -106,9 +136,13 @@ Field derivative(Operation operation, const Field& f, const Field& a, const Fiel
       return r0_derivative(f, a, b, da, db, true);
     case Operation::r0_disjunction:
       return r0_derivative(f, a, b, da, db, false);
+    case Operation::r0_exclusive_or: {
+      const Field root = sqrt(0.75 * (a - b) * (a - b) + 0.25 * (a + b) * (a + b));
+      return unless_zero(
+          root, ((2 * a - b) * da + (2 * b - a) * db) / root - 2 * (a * da + b * db) / hypot(a, b));
+    }
     default:
-      throw InvalidArgument("no derivative is known of the operation " +
-                            std::string(find_operation(operation)->name));
+      return r_derivative(operation, number, a, b, da, db);
   }
 }
 
@@ -155,7 +189,7 @@ Field GraphDerivative::of_node(const Field& f) const {
       break;
   }
   if (arguments.size() == 1) return slope(node.operation, f, a) * da;
-  return derivative(node.operation, f, a, arguments[1], da, known(arguments[1]));
+  return derivative(node.operation, node.number, f, a, arguments[1], da, known(arguments[1]));
 }
 
 // The chain rule: Σᵢ (∂^{α+eᵢ} s)(place) ∂placeᵢ.

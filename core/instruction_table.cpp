@@ -61,14 +61,9 @@ bool InstructionTable::folded(Instruction& instruction) const {
   switch (instruction.operation) {
     case Operation::partial:
       break;
-    case Operation::integer_power:
-      result = integer_power(number(a), instruction.index);
-      break;
-    case Operation::real_power:
-      result = real_power(number(a), instruction.number);
-      break;
     default:
-      result = apply_rule(instruction.operation, number(a), number(b), number(c));
+      result =
+          apply_rule(instruction.operation, number(a), number(b), number(c), instruction.number);
   }
   if (!std::isfinite(result.value())) return false;
   instruction = Instruction();

@@ -28,7 +28,7 @@ struct R0Weights {
     const T size = max(T(abs(a)), T(abs(b)));
     const auto large = less(T(0x1p480), size), small = less(size, T(0x1p-480));
     if (any(large) || any(small)) {
-      const T factor = select(large, T(0x1p-600), select(small, T(0x1p500), T(1.0)));
+      const T factor = select(large, T(0x1p-600), select(small, T(0x1p800), T(1.0)));
       compute(a, b, factor * a, factor * b, T(1.0) / factor, conjunction);
       curvature = factor * (factor * (factor * curvature));
     } else {
@@ -100,8 +100,7 @@ template <bool conjunction, class T, int N, int K>
 template <class T, int N, int K>
 Jet<T, N, K> r0_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b);
 
-/// The same for bounds and for jets of any order: composed. The low orders of the latter are
-/// replaced by the fused rule.
+/// The same for bounds and for jets of any order: composed, with the value in the stable form.
 template <bool conjunction, class Number>
 Number r0_composed(const Number& a, const Number& b) {
   if constexpr (!conjunction) {
@@ -113,6 +112,8 @@ Number r0_composed(const Number& a, const Number& b) {
       result.c[0] =
           narrowed_to_corners(result.c[0], a.c[0], b.c[0],
                               [](const auto& x, const auto& y) { return r0_conjunction(x, y); });
+    } else {
+      result.c[0] = R0Weights<T>(a.c[0], b.c[0], true).value;
     }
     return result;
   }

@@ -98,14 +98,14 @@ inline Batch floored_remainder(const Batch& a, const Batch& b) {
 inline bool squares_need_scale(double a, double b, double& scale) {
   const double larger = std::max(std::fabs(a), std::fabs(b));
   if ((larger > 0x1p-480 && larger < 0x1p500) || larger == 0) return false;
-  scale = larger < 1 ? 0x1p550 : 0x1p-550;
+  scale = larger < 1 ? 0x1p800 : 0x1p-550;
   return true;
 }
 inline bool squares_need_scale(const Batch& a, const Batch& b, Batch& scale) {
   const Batch larger = std::experimental::max(std::experimental::abs(a), std::experimental::abs(b));
   const BatchMask tiny = larger <= Batch(0x1p-480), large = larger >= Batch(0x1p500);
   if (std::experimental::none_of((tiny && larger > Batch(0.0)) || large)) return false;
-  scale = select(tiny, Batch(0x1p550), select(large, Batch(0x1p-550), Batch(1.0)));
+  scale = select(tiny, Batch(0x1p800), select(large, Batch(0x1p-550), Batch(1.0)));
   return true;
 }
 inline bool squares_need_scale(const Interval&, const Interval&, Interval&) { return false; }

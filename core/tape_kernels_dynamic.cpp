@@ -41,7 +41,7 @@ void apply(const Step& step, double* memory, int count) {
     const BatchJet a = load(shape, step.arguments[0], memory, lane);
     const BatchJet b = arity > 1 ? load(shape, step.arguments[1], memory, lane) : none;
     const BatchJet c = arity > 2 ? load(shape, step.arguments[2], memory, lane) : none;
-    store(apply_rule<operation>(a, b, c), shape, memory + step.result + lane);
+    store(apply_rule<operation>(a, b, c, *step.constants), shape, memory + step.result + lane);
   }
 }
 
@@ -50,16 +50,6 @@ void apply_to_one(const Step& step, double* memory, int count, const Rule& rule)
   const JetShape& shape = shape_of(step);
   for (int lane = 0; lane < count; lane += width)
     store(rule(load(shape, step.arguments[0], memory, lane)), shape, memory + step.result + lane);
-}
-
-void integer_power(const Step& step, double* memory, int count) {
-  apply_to_one(step, memory, count,
-               [&](const BatchJet& a) { return rfm::integer_power(a, step.index); });
-}
-
-void real_power(const Step& step, double* memory, int count) {
-  apply_to_one(step, memory, count,
-               [&](const BatchJet& a) { return rfm::real_power(a, *step.constants); });
 }
 
 void scale(const Step& step, double* memory, int count) {
@@ -119,10 +109,6 @@ void evaluate_composed_source(const Instruction& instruction, const Step& step, 
 
 Kernel find_dynamic_kernel(Operation operation) {
   switch (operation) {
-    case Operation::integer_power:
-      return integer_power;
-    case Operation::real_power:
-      return real_power;
     case Operation::scale:
       return scale;
     case Operation::offset:

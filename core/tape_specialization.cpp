@@ -28,16 +28,13 @@ Interval range_of(const Instruction& instruction, const std::vector<Interval>& k
     case Operation::source:
       return instruction.operands[0] < 0 ? instruction.source->bounds(box).value
                                          : Interval::entire();
-    case Operation::integer_power:
-      return integer_power(a, instruction.index).value();
-    case Operation::real_power:
-      return real_power(a, instruction.number).value();
     case Operation::scale:
       return Interval(instruction.number) * a.value();
     case Operation::offset:
       return a.value() + Interval(instruction.number);
     default:
-      return apply_rule(instruction.operation, a, operand(1), operand(2)).value();
+      return apply_rule(instruction.operation, a, operand(1), operand(2), instruction.number)
+          .value();
   }
 }
 

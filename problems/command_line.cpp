@@ -86,7 +86,10 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
   check->add_flag("--picture", line.picture,
                   "Draw the domain, the pieces of its boundary and the grid");
   CLI::App* explain = app.add_subcommand("explain", "Explain a key of problem files");
-  explain->add_option("KEY", line.key, "A path or its end, as conditions.flux or radius")
+  explain
+      ->add_option(
+          "KEY", line.key,
+          "A path or its end, as conditions.flux or radius; operations for those of formulas")
       ->required();
   CLI::App* schema = app.add_subcommand("schema", "Print the JSON Schema of problem files");
   CLI::App* fresh = app.add_subcommand("new", "Print a template (not supported yet)");

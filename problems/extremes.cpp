@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "quadrature/integrate.hpp"
 #include "solvers/stationary_point.hpp"
@@ -27,9 +28,15 @@ class PointScan {
   void visit(const QuadratureBlock& block, const Visit& visit) {
     tape_.evaluate({block.coordinates, block.count}, workspace_);
     for (int i = 0; i < block.count; ++i) {
-      if (!(workspace_.coefficient(1)[i] >= 0)) continue;
+      if (workspace_.coefficient(1)[i] < 0) continue;
       Point point{};
       for (int axis = 0; axis < tape_.dimension(); ++axis) point[axis] = block.coordinates[axis][i];
+      for (const int root : {1, 0})  // what is not a number would pass for smaller than all else
+        if (!std::isfinite(workspace_.coefficient(root)[i]))
+          throw ComputationError((root == 1 ? "the condition of its part" : "its value") +
+                                 std::string(" is not a finite number at the point ") +
+                                 point_text(point, tape_.dimension()) +
+                                 diagnosis_suffix(tape_.roots()[root], point, tape_.dimension()));
       visit(i, point, workspace_.coefficient(0)[i]);
     }
   }

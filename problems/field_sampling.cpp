@@ -8,6 +8,7 @@
 #include <memory_resource>
 #include <unordered_map>
 
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
 
@@ -109,9 +110,9 @@ std::vector<FieldMesh::PointData> sample_at(const std::vector<Point>& points,
               double value = workspace.coefficient(static_cast<int>(r))[i];
               if (!std::isfinite(value)) value = tape.value(inside[begin + i], static_cast<int>(r));
               if (!std::isfinite(value))
-                throw ComputationError("'" + data.name + "' is not a finite number at (" +
-                                       std::to_string(coordinates[0][i]) + ", " +
-                                       std::to_string(coordinates[1][i]) + ")");
+                throw ComputationError("'" + data.name + "' is not a finite number at the point " +
+                                       point_text(points[begin + i], dimension) +
+                                       diagnosis_suffix(roots[r], inside[begin + i], dimension));
               data.values[std::size_t(begin + i) * data.components + targets[r].component] = value;
             }
           }

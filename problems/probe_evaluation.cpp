@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
@@ -23,6 +24,15 @@ class ProbeEvaluator {
   }
 
   ProbeResult evaluate(const Probe& probe) const {
+    try {
+      return evaluate_kind(probe);
+    } catch (const ComputationError& error) {
+      throw ComputationError(fmt::format("probe '{}': {}", probe.name, error.what()));
+    }
+  }
+
+ private:
+  ProbeResult evaluate_kind(const Probe& probe) const {
     switch (probe.kind) {
       case Probe::Kind::point:
         return at_point(probe);
@@ -36,7 +46,6 @@ class ProbeEvaluator {
     }
   }
 
- private:
   ProbeResult at_point(const Probe& probe) const {
     const Point& point = probe.points[0];
     if (!problem_.region().contains(point, 1e-9 * problem_.bounds().longest_side()))
@@ -67,20 +76,24 @@ class ProbeEvaluator {
       const ExpressionValue meaning = expression.value(scope_);
       ProbeValue value{name, {}, meaning.is_vector};
       for (const Field& component : meaning.components)
-        value.components.push_back(finite(value_of(component, point), probe));
+        value.components.push_back(value_of(component, point));
       values.push_back(std::move(value));
     }
     return values;
   }
 
   double value_of(const Field& field, const Point& point) const {
-    return Tape({field}, {0}, problem_.problem().dimension).value(point);
+    const int dimension = problem_.problem().dimension;
+    const double value = Tape({field}, {0}, dimension).value(point);
+    if (std::isfinite(value)) return value;
+    throw ComputationError("the value is not a finite number at the point " +
+                           point_text(point, dimension) +
+                           diagnosis_suffix(field, point, dimension));
   }
 
-  double finite(double value, const Probe& probe) const {
+  static double finite(double value) {
     if (std::isfinite(value)) return value;
-    throw ComputationError(
-        fmt::format("probe '{}' gives a value that is not a finite number", probe.name));
+    throw ComputationError("the value is not a finite number");
   }
 
   // What an integral or extreme is taken of: components along the boundary's normal are added for
@@ -134,10 +147,9 @@ class ProbeEvaluator {
     }
     const bool average = probe.kind == Probe::Kind::average;
     if (average && !(measure > 0))
-      throw ComputationError(
-          fmt::format("probe '{}' averages over a set without measure", probe.name));
+      throw ComputationError("the set over which it averages has no measure");
     ProbeResult result{&probe, {}, {}, {}, {}};
-    result.values.push_back({"", {finite(average ? integral / measure : integral, probe)}, false});
+    result.values.push_back({"", {finite(average ? integral / measure : integral)}, false});
     return result;
   }
 
@@ -158,7 +170,7 @@ class ProbeEvaluator {
       });
     }
     ProbeResult result{&probe, {}, {}, {}, best.at};
-    result.values.push_back({"", {finite(sign * best.value, probe)}, false});
+    result.values.push_back({"", {finite(sign * best.value)}, false});
     return result;
   }
 

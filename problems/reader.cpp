@@ -1,5 +1,7 @@
 #include "problems/reader.hpp"
 
+#include <filesystem>
+
 #include "problems/boundary_coverage.hpp"
 #include "problems/boundary_reader.hpp"
 #include "problems/definition_reader.hpp"
@@ -9,16 +11,18 @@
 #include "problems/run_reader.hpp"
 #include "problems/schema_check.hpp"
 #include "problems/shape_reader.hpp"
+#include "problems/table_reader.hpp"
 
 namespace rfm {
 namespace {
 
-void define_common_names(ValueReader& values) {
+void define_common_names(ValueReader& values, const std::string& folder) {
   const int dimension = values.dimension;
   values.scope = coordinate_scope(dimension);
   define_derivatives(values.scope, dimension);
-  const std::string not_supported = "is not supported yet";
-  values.scope.refuse("table", not_supported);
+  const ExpressionFunction table = table_function(folder);
+  values.scope.define_function("table", table);
+  values.number_scope.define_function("table", table);
   refuse_normal(values.scope, dimension, "is known on a boundary only");
   refuse_results(values.scope, dimension,
                  "is a result: formulas that depend on the solution are not supported yet");
@@ -50,7 +54,7 @@ void read_contents(ValueReader& values, Problem& problem) {
   const DocumentNode& root = problem.document;
   if (const DocumentNode* version = values.find(root, "rfm")) values.integer(*version);
   if (const DocumentNode* title = values.find(root, "title")) problem.title = title->text;
-  define_common_names(values);
+  define_common_names(values, std::filesystem::path(problem.file).parent_path().string());
   DefinitionReader definitions(root, values, problem);
   definitions.read();
   ShapeReader shapes(root, values);

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/operations_page.hpp"
 #include "problems/schema.hpp"
 #include "problems/schema_text.hpp"
 
@@ -129,6 +130,7 @@ std::string explanation(const NamedKey& named) {
 }  // namespace
 
 std::string explain_key(const std::string& key) {
+  if (key == "operations") return operations_page();
   std::vector<NamedKey> all;
   collect(schema(), {}, true, all);
   const std::vector<std::string> asked = names_of(key);

@@ -52,7 +52,8 @@ void IntegrandValues::evaluate(IntegrandPoints& points, double time,
   }
   restrict_to_where(points);
   for (std::size_t i = 0; i < integrand_.scalars().size(); ++i)
-    if (integrand_.scalars()[i].root >= 0) require_finite(points, static_cast<int>(i));
+    if (integrand_.scalars()[i].root >= 0)
+      require_finite(points, static_cast<int>(i), time, parameters);
 
   for (std::size_t e = 0; e < integrand_.stiffness().size(); ++e)
     weigh(points, integrand_.stiffness()[e].terms, &stiffness_[e * capacity_]);
@@ -104,26 +105,25 @@ void IntegrandValues::restrict_to_where(IntegrandPoints& points) {
   }
 }
 
-void IntegrandValues::require_finite(const IntegrandPoints& points, int number) const {
+void IntegrandValues::require_finite(const IntegrandPoints& points, int number, double time,
+                                     std::span<const double> parameters) const {
   const double* values = scalar(number);
   double sum = 0;  // 0 · x is NaN for every x that is not finite
   for (int q = 0; q < points.size(); ++q) sum += 0 * values[q];
   if (sum == 0) return;
   int q = 0;
   while (std::isfinite(values[q])) ++q;
-  std::string place;
   Point point{};
-  for (int axis = 0; axis < integrand_.tape().dimension(); ++axis) {
-    point[axis] = points.coordinates[axis][q];
-    place += fmt::format("{}{:.10g}", axis == 0 ? "" : ", ", point[axis]);
-  }
+  const int dimension = integrand_.tape().dimension();
+  for (int axis = 0; axis < dimension; ++axis) point[axis] = points.coordinates[axis][q];
   const auto& failing = integrand_.scalars()[number];
   std::string cause;
   if (failing.root >= 0)
-    cause = diagnose(integrand_.tape().roots()[failing.root], point, integrand_.tape().dimension());
-  throw ComputationError(fmt::format("{} is {} at the point ({}){}", failing.name,
-                                     std::isnan(values[q]) ? "not a number" : "infinite", place,
-                                     cause.empty() ? "" : ": " + cause));
+    cause = diagnosis_suffix(integrand_.tape().roots()[failing.root], point, dimension, time,
+                             parameters);
+  throw ComputationError(fmt::format("{} is {} at the point {}{}", failing.name,
+                                     std::isnan(values[q]) ? "not a number" : "infinite",
+                                     point_text(point, dimension), cause));
 }
 
 // w Σ n^α f_α.

@@ -43,7 +43,8 @@ class IntegrandValues {
  private:
   const double* scalar(int number) const { return &scalars_[std::size_t(number) * capacity_]; }
   void restrict_to_where(IntegrandPoints& points);
-  void require_finite(const IntegrandPoints& points, int root_scalar) const;
+  void require_finite(const IntegrandPoints& points, int root_scalar, double time,
+                      std::span<const double> parameters) const;
   void weigh(const IntegrandPoints& points, const std::vector<CompiledIntegrand::NormalTerm>& terms,
              double* result) const;
 

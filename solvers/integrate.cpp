@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
 #include "quadrature/compensated_sum.hpp"
@@ -58,12 +59,19 @@ class PlaceBlocks {
            std::find(chosen.begin(), chosen.end(), block.numbers[point]) != chosen.end();
   }
 
-  void require_finite(double value, const QuadratureBlock& block, int point) const {
+  // `fields` are those that the value was made of.
+  void require_finite(double value, const QuadratureBlock& block, int point,
+                      std::span<const Field> fields) const {
     if (std::isfinite(value)) return;
-    std::string text;
-    for (int axis = 0; axis < dimension_; ++axis)
-      text += fmt::format("{}{:.10g}", axis == 0 ? "" : ", ", block.coordinates[axis][point]);
-    throw ComputationError(fmt::format("an integrand is {} at the point ({})", value, text));
+    Point place{};
+    for (int axis = 0; axis < dimension_; ++axis) place[axis] = block.coordinates[axis][point];
+    std::string cause;
+    for (const Field& field : fields)
+      if (cause.empty())
+        cause = diagnosis_suffix(field, place, dimension_, arguments_.time, arguments_.parameters);
+    throw ComputationError(fmt::format("an integrand is {} at the point {}{}",
+                                       std::isnan(value) ? "not a number" : "infinite",
+                                       point_text(place, dimension_), cause));
   }
 
  private:
@@ -110,7 +118,9 @@ std::vector<double> integrate(std::span<const Coefficient> integrands, const Dom
       for (int point = 0; point < block.count; ++point) {
         if (!blocks.counts(block, point)) continue;
         const double value = value_of(integrands[i], first_root[i], block, workspace, point);
-        blocks.require_finite(value, block, point);
+        blocks.require_finite(
+            value, block, point,
+            std::span(roots).subspan(first_root[i], integrands[i].terms().size()));
         sum.add(block.weights[point] * value);
       }
       sums[number * count + i] = sum.value();
@@ -139,7 +149,7 @@ double maximum(const Field& field, const DomainRule& rule, const IntegrationPlac
                     for (int point = 0; point < block.count; ++point) {
                       if (!blocks.counts(block, point)) continue;
                       const double value = workspace.coefficient(0)[point];
-                      blocks.require_finite(value, block, point);
+                      blocks.require_finite(value, block, point, std::span(&field, 1));
                       largest[number] = std::max(largest[number], std::abs(value));
                     }
                   });

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "core/operation_rules.hpp"
+#include "tests/core/operation_rows.hpp"
 
 namespace rfm {
 namespace {
@@ -121,7 +121,7 @@ void expect_same_as_compiled() {
   using Compiled = Jet<double, N, K>;
   const JetShape& shape = JetShape::get(N, K);
   ASSERT_EQ(shape.size(), Compiled::size);
-  for (const OperationRow& row : operation_table)
+  for (const Row& row : all_rows())
     for (const double value : {-0.7, 0.3, 0.9}) {
       const Number a = random_jet(shape, value), b = random_jet(shape, 0.6),
                    c = random_jet(shape, -1);
@@ -130,15 +130,15 @@ void expect_same_as_compiled() {
         EXPECT_EQ(shape.exponent(i), (JetTables<N, K>::exponents[i]));
         arguments[0].c[i] = a.c[i], arguments[1].c[i] = b.c[i], arguments[2].c[i] = c.c[i];
       }
-      const Compiled expected = apply_rule(row.operation, arguments[0], arguments[1], arguments[2]);
-      const Number found = apply_rule(row.operation, a, b, c);
+      const Compiled expected = row(arguments[0], arguments[1], arguments[2]);
+      const Number found = row(a, b, c);
       double scale = 0;
       for (int i = 0; i < Compiled::size; ++i) {
         scale = std::max(scale, std::fabs(expected.c[i]));
         if (std::isnan(expected.c[i]))
-          EXPECT_TRUE(std::isnan(coefficient(found, i))) << row.name;
+          EXPECT_TRUE(std::isnan(coefficient(found, i))) << row.identifier;
         else
-          EXPECT_NEAR(coefficient(found, i), expected.c[i], 1e-14 * scale) << row.name << " " << i;
+          EXPECT_NEAR(coefficient(found, i), expected.c[i], 1e-14 * scale) << row.identifier << " " << i;
       }
     }
 }

@@ -10,6 +10,7 @@
 #include "core/evaluate.hpp"
 #include "core/spline_field.hpp"
 #include "core/tape.hpp"
+#include "tests/core/operation_rows.hpp"
 
 namespace rfm {
 namespace {
@@ -20,14 +21,16 @@ double value(const Field& f, const Point& point, const std::vector<double>& para
   return Tape({f}, {0}, 2).value(point, 0, {0, parameters});
 }
 
-class DerivedOperation : public testing::TestWithParam<OperationRow> {};
-INSTANTIATE_TEST_SUITE_P(GraphDerivative, DerivedOperation, testing::ValuesIn(operation_table));
+class DerivedOperation : public testing::TestWithParam<Row> {};
+INSTANTIATE_TEST_SUITE_P(GraphDerivative, DerivedOperation, testing::ValuesIn(all_rows()),
+                         [](const auto& info) { return info.param.identifier; });
 
 TEST_P(DerivedOperation, HasTheDerivativesOfJets) {
-  const OperationRow& row = GetParam();
+  const OperationRow& row = *find_operation(GetParam().operation);
   std::vector<Field> arguments{0.7 * x + 0.2 * y * y, sin(y) - 0.4 * x, x * y};
   arguments.resize(row.arity);
-  const Field f = apply(row.operation, arguments);
+  const Field f = apply(row.operation, arguments,
+                        row.numbers ? std::optional(GetParam().number) : std::nullopt);
   GraphDerivative along_x(x), along_y(y);
   const Field fx = along_x.of(f), fxy = along_y.of(fx), fxx = along_x.of(fx);
   std::mt19937 generator(1);

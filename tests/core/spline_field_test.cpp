@@ -156,6 +156,22 @@ TEST(SplineField, BoundsAreSharpToSecondOrderInTheSizeOfTheBox) {
   }
 }
 
+TEST(SplineField, BoundsExceedTheRangeByTheSquareOfTheBox) {
+  // x² about its minimum has the range [0, r²] and the Bernstein coefficients
+  // r² ((2k − p)² − p) / (p (p − 1)), k = 0 … p: the excess is of second order exactly.
+  const Grid grid({1, {-1}, {1}}, {1, 1, 1});
+  for (const int p : {2, 3, 4, 5})
+    for (const double r : {0.5, 0.25, 0x1p-6}) {
+      double least = 0;
+      for (int k = 0; k <= p; ++k)
+        least = std::min(least, r * r * ((2.0 * k - p) * (2.0 * k - p) - p) / (p * (p - 1.0)));
+      const FunctionBounds bounds = monomial(grid, p, {2}).bounds({1, {-r}, {r}});
+      EXPECT_NEAR(bounds.value.low, least, 1e-12) << p;
+      EXPECT_NEAR(bounds.value.high, r * r, 1e-12) << p;
+      EXPECT_LT(least, -0.05 * r * r);
+    }
+}
+
 TEST(SplineField, BoundsOutsideTheGridAreUnbounded) {
   const SplineField spline = random_spline(rectangle, 2);
   const FunctionBounds bounds = spline.bounds({2, {0.8, 0.2}, {0.91, 0.3}});
