@@ -41,6 +41,10 @@ Region named_side(const char* name, const Field& function, const Field& level) {
   return Region(Primitive{name, function, level}, 3);
 }
 
+Region selector(const char* name, const Field& function) {
+  return Region(Primitive{name, function, function, true}, 3);
+}
+
 }  // namespace
 
 Region half_plane(const Point& point, const Point& normal) {
@@ -139,8 +143,7 @@ Region cone(const Point& apex, const Point& axis, double half_angle, double leng
   const double cosine = std::cos(half_angle);
   // (h sin)² − cos² (|d|² − h²), with sin² + cos² = 1.
   const Field level = height * height - (cosine * cosine) * square_length(d);
-  const Region nappe =
-      named_side("side", normalize(level, 3), level) & named_side("apex", height, height);
+  const Region nappe = named_side("side", normalize(level, 3), level) & selector("apex", height);
   if (!std::isfinite(length)) return nappe;
   const Field end = length - height;
   return nappe & named_side("end", end, end);

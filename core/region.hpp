@@ -19,6 +19,9 @@ struct Primitive {
   std::string name;
   Field function;
   Field level;
+  /// It chooses a part and bounds nothing: its zero set meets what it helps to describe in single
+  /// points at most, as the plane through the apex that chooses one nappe of a cone.
+  bool selects_only = false;
 };
 
 /// A Boolean combination of primitives; a point belongs to the region where the expression is true,

@@ -85,6 +85,12 @@ Field multiplier(const BooleanExpression& expression, const Region& region) {
   return implicit(expression, region);
 }
 
+// Whether a conjunct only chooses a part of the others: the weight need not vanish on it.
+bool selects_only(const BooleanExpression& conjunct, const Region& region) {
+  const auto& last = conjunct.nodes().back();
+  return last.kind == Kind::variable && region.primitives()[last.first]->selects_only;
+}
+
 // Groups of conjuncts connected by pairs that must not multiply.
 std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluator& region,
                         const Box& bounds, CombineRule rule) {
@@ -132,6 +138,7 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
   }
   std::vector<Factor> factors;
   for (const BooleanExpression& conjunct : conjuncts(normal)) {
+    if (selects_only(conjunct, region.region())) continue;
     const Factor factor = as_factor(conjunct);
     if (meets_region(factor, region, bounds)) factors.push_back(factor);
   }

@@ -126,7 +126,8 @@ class ProbeEvaluator {
   void over_volume(const Probe& probe, const Visit& visit) const {
     if (!probe.region) return visit(problem_.region(), solution_.rule);
     const RegionEvaluator part(problem_.region().region() & *probe.region);
-    visit(part, problem_.rule(part, solution_.rule.grid()));
+    // As for errors, with more points than for solving: cells are not made for this shape.
+    visit(part, problem_.rule(part, solution_.rule.grid(), 2));
   }
 
   ProbeResult integrated(const Probe& probe) const {

@@ -51,6 +51,21 @@ bool is_defined(const Field& field, const DomainRule& rule) {
   }
 }
 
+// Beyond this a rule is not one for the domain: pieces of its boundary are missing or unresolved.
+bool misses_divergence_theorem(const DomainRule& rule) {
+  return rule.report().divergence_defect > 1e-2 * rule.measure();
+}
+
+// Whether `inner` lies in `outer`, up to the accuracy of bounding boxes.
+bool contains(const Box& outer, const Box& inner) {
+  const double tolerance = 1e-6 * inner.longest_side();
+  for (int axis = 0; axis < inner.dimension; ++axis)
+    if (inner.low[axis] < outer.low[axis] - tolerance ||
+        inner.high[axis] > outer.high[axis] + tolerance)
+      return false;
+  return true;
+}
+
 // The system without its first well supported unknown, which is set to zero: what a kernel of
 // constants leaves free.
 void pin_one(LinearSystem& system) {
@@ -96,7 +111,8 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_);
   if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
   for (int k = 0; k < region_.primitive_count(); ++k)
-    if (probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
+    if (!region_.region().primitives()[k]->selects_only &&
+        probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_);
   check_within_grid(probe);
@@ -115,9 +131,11 @@ ScalarProblem::ScalarProblem(const Problem& problem)
 
 void ScalarProblem::check_within_grid(const DomainRule& rule) const {
   // A domain that is cut off by the box has a boundary without points: the divergence theorem
-  // fails.
-  if (rule.report().divergence_defect <= 1e-2 * rule.measure()) return;
+  // fails. So it may for a thin body on this coarse rule, too; where the bounds are the program's
+  // own, they tell the two apart.
+  if (!misses_divergence_theorem(rule)) return;
   const Grid box = grid();
+  if (!problem_.bounds && contains(box.box(), bounds_)) return;
   std::string text;
   for (int axis = 0; axis < problem_.dimension; ++axis)
     text += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis],
@@ -215,6 +233,11 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   Stopwatch quadrature;
   ScalarSolution solution{.rule = rule(grid), .u = 0.0, .flux = {}, .linear = {}, .seconds = {}};
   solution.seconds.quadrature = quadrature.seconds();
+  if (misses_divergence_theorem(solution.rule))
+    throw ComputationError(fmt::format(
+        "the grid is too coarse for the domain: its measure {:.6g} and its boundary disagree by "
+        "{:.2g} in the divergence theorem; use more cells",
+        solution.rule.measure(), solution.rule.report().divergence_defect));
 
   Stopwatch assembly;
   const bool free_constant = fixed_up_to_constant();

@@ -75,7 +75,7 @@ Image draw_line(const ScalarProblem& problem, const ShownField& shown, const Pic
     remarks.push_back(fmt::format("the plot has gaps at {} points, where {} is not a finite number",
                                   missing, shown.name));
   if (data.low > data.high) data = {0, 1};
-  const ValueRange range = shown_range(picture, data);
+  const ValueRange range = shown_range(picture, data, shown.size);
   // The scale widens a range that is empty.
   const ColourScale spread(ColourMap::uniform, range.low, range.high);
   const double margin = picture.range ? 0 : 0.05 * (spread.high() - spread.low());

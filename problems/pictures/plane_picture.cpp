@@ -84,7 +84,7 @@ Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Pi
                  std::vector<std::string>& remarks) {
   const Box box = with_margin(problem.bounds());
   const auto make_scale = [&](const ValueRange& data) {
-    const ValueRange range = shown_range(picture, data);
+    const ValueRange range = shown_range(picture, data, shown.size);
     return ColourScale(
         picture.colours == Picture::Colours::diverging ? ColourMap::diverging : ColourMap::uniform,
         range.low, range.high);

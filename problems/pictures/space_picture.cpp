@@ -76,7 +76,7 @@ Image draw_space(const ScalarProblem& problem, const ShownField& shown, const Pi
   const PanelArrangement arrangement =
       PanelArrangement::of(window, static_cast<int>(panels.size()));
   const auto make_scale = [&](const ValueRange& data) {
-    const ValueRange range = shown_range(picture, data);
+    const ValueRange range = shown_range(picture, data, shown.size);
     return ColourScale(
         picture.colours == Picture::Colours::diverging ? ColourMap::diverging : ColourMap::uniform,
         range.low, range.high);
