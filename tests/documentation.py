@@ -67,6 +67,8 @@ class Page:
             if step:
                 self.done += 1
                 step(body, text[end:match.start()])
+            else:
+                self.fail(f"nothing checks what is written in '{language}'", body)
             if language != "":
                 self.output = self.output if language == "sh" else None
             end = match.end()
