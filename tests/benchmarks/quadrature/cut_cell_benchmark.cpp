@@ -24,7 +24,7 @@ Region ball_as_expression() { return solid(1 - square(radius_in_space())); }
 Region five_lines() { return star(0.45, 0.21); }
 Region six_planes() { return rotated_cube(0.85); }
 
-constexpr auto inverse_rate =
+const auto inverse_rate =
     benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
 
 template <class MakeRegion>
