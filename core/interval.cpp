@@ -23,6 +23,7 @@ Interval widened(double low, double high, double relative) {
 
 constexpr double basic_margin = 0x1p-52;
 constexpr double library_margin = 0x1p-50;
+constexpr double cube_root_margin = 0x1p-49;
 
 Interval outward(double low, double high) { return widened(low, high, basic_margin); }
 Interval library(double low, double high) { return widened(low, high, library_margin); }
@@ -108,8 +109,15 @@ Interval power(const Interval& a, double exponent) {
   if (a.high < 0) return Interval::entire();
   const double low = std::max(a.low, 0.0), high = a.high;
   const double p = std::pow(low, exponent), q = std::pow(high, exponent);
+  if (high == 0 && exponent < 0) return Interval::entire();
   if (high == 0) return {std::min(p, q), std::max(p, q)};
   return positive(std::min(p, q), std::max(p, q), library_margin);
+}
+
+double error_of_power(const Interval& a, double relative, double lost) {
+  constexpr double longest = 745;  // −log of the smallest number
+  const auto size = [](double x) { return x > 0 ? std::fabs(std::log(x)) : longest; };
+  return relative + 2 * std::fabs(lost) * std::min(std::max(size(a.low), size(a.high)), longest);
 }
 
 Interval sqrt(const Interval& a) {
@@ -119,7 +127,7 @@ Interval sqrt(const Interval& a) {
 }
 
 Interval cbrt(const Interval& a) {
-  return increasing(a, [](double x) { return std::cbrt(x); });
+  return widened(std::cbrt(a.low), std::cbrt(a.high), cube_root_margin);
 }
 
 Interval exp(const Interval& a) {
@@ -197,7 +205,11 @@ Interval atan2(const Interval& y, const Interval& x) {
   // Without the origin and the cut, extremes over a box are taken at its corners.
   const double p = std::atan2(y.low, x.low), q = std::atan2(y.low, x.high);
   const double r = std::atan2(y.high, x.low), s = std::atan2(y.high, x.high);
-  return library(std::min({p, q, r, s}), std::max({p, q, r, s}));
+  Interval wide = library(std::min({p, q, r, s}), std::max({p, q, r, s}));
+  // The angle is exactly 0 on the axis only; elsewhere it has underflowed.
+  if (wide.low == 0 && y.low < 0) wide.low = -denormal;
+  if (wide.high == 0 && y.high > 0) wide.high = denormal;
+  return wide;
 }
 
 Interval sinh(const Interval& a) {

@@ -273,6 +273,27 @@ Jet<T, N, K> integer_power(const Jet<T, N, K>& a, int exponent) {
   return result;
 }
 
+/// aᵉ, e known up to `lost`, beside a factor known up to `relative`: both are made up for in
+/// bounds, |a^δ − 1| ≤ 2 |δ log a| as long as that is small; plain numbers are what they are.
+template <class T>
+T power_known_to(const T& a, double exponent, double, double) {
+  using rfm::power;
+  return power(a, exponent);
+}
+inline Interval power_known_to(const Interval& a, double exponent, double lost, double relative) {
+  const double error = error_of_power(a, relative, lost);
+  return power(a, exponent) * Interval(1 - error, 1 + error);
+}
+
+/// aᵉ⁻ᵏ for a ≥ 0 as it stands in the k-th derivative of aᵉ, beside a coefficient that has at most
+/// 3k roundings; e − k itself is rounded.
+template <class T>
+T lowered_power(const T& a, double exponent, int k) {
+  const double lowered = exponent - k, back = lowered - exponent;
+  const double lost = (exponent - (lowered - back)) + (-k - back);
+  return power_known_to(a, lowered, lost, k * 0x1p-51);
+}
+
 /// aᵉ for a ≥ 0; at a = 0 the singular coefficients are 0.
 template <class T, int N, int K>
 Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
@@ -281,8 +302,8 @@ Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
   taylor[0] = power(a.c[0], exponent);
   double binomial = 1;
   for (int k = 1; k <= a.order(); ++k) {
-    binomial *= (exponent - k + 1) / k;
-    const T singular = T(binomial) * power(a.c[0], exponent - k);
+    binomial *= (exponent - (k - 1)) / k;
+    const T singular = T(binomial) * lowered_power(a.c[0], exponent, k);
     taylor[k] = exponent >= k ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
   }
   return compose(a, taylor);

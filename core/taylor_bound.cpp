@@ -38,7 +38,8 @@ TaylorBound composed(const TaylorBound& a, double f, double slope, const Interva
   }
   const double distance =
       std::min(a.linear_extent() + a.error, (a.range - Interval(a.value)).magnitude());
-  const Interval remainder = Interval(0.5) * second * Interval(0, distance * distance);
+  // The square must not underflow to an exact zero, which would silence an unbounded f″.
+  const Interval remainder = Interval(0.5) * second * Interval(0, square(Interval(distance)).high);
   TaylorBound model;
   model.smooth = smooth;
   model.range = range;
@@ -150,10 +151,17 @@ TaylorBound square(const TaylorBound& a) {
 TaylorBound power(const TaylorBound& a, double e) {
   const bool regular = a.range.low > 0;
   const double f = std::pow(std::max(a.value, 0.0), e);
-  const Interval second =
-      regular ? Interval(e * (e - 1)) * power(a.range, e - 2) : Interval::entire();
-  return composed(a, f, e * std::pow(std::max(a.value, 0.0), e - 1), second, power(a.range, e),
-                  a.smooth && regular);
+  const Interval range = power(a.range, e);
+  // By division: exponents e − 1 and e − 2 would be rounded.
+  const Interval second = regular
+                              ? Interval(e) * (Interval(e) - Interval(1)) * range / square(a.range)
+                              : Interval::entire();
+  return composed(a, f, e * f / a.value, second, range, a.smooth && regular);
+}
+
+TaylorBound power_known_to(const TaylorBound& a, double exponent, double lost, double relative) {
+  const double error = error_of_power(a.range, relative, lost);
+  return power(a, exponent) * TaylorBound::of_range({1 - error, 1 + error}, true);
 }
 
 TaylorBound sqrt(const TaylorBound& a) {

@@ -68,6 +68,8 @@ TaylorBound& operator+=(TaylorBound& a, const TaylorBound& b);
 
 TaylorBound square(const TaylorBound& a);
 TaylorBound power(const TaylorBound& a, double exponent);
+/// As for intervals (core/jet.hpp).
+TaylorBound power_known_to(const TaylorBound& a, double exponent, double lost, double relative);
 TaylorBound sqrt(const TaylorBound& a);
 TaylorBound cbrt(const TaylorBound& a);
 TaylorBound exp(const TaylorBound& a);
