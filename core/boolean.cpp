@@ -185,6 +185,14 @@ BooleanExpression BooleanExpression::negations_at_leaves() const {
   return built.back()[0];
 }
 
+BooleanExpression BooleanExpression::monotone_form(int variables) const {
+  BooleanExpression expression = negations_at_leaves();
+  for (Node& node : expression.nodes_)
+    if (node.kind == Kind::negation)
+      node = {Kind::variable, expression.nodes_[node.first].first + variables, 0};
+  return expression;
+}
+
 bool BooleanExpression::is_constant(bool value) const {
   return nodes_.back().kind == Kind::constant && (nodes_.back().first != 0) == value;
 }

@@ -39,6 +39,8 @@ class BooleanExpression {
   BooleanExpression renamed(std::span<const int> new_number) const;
   /// Negations pushed down to the variables (De Morgan).
   BooleanExpression negations_at_leaves() const;
+  /// The same without negations: ¬v becomes variable `variables` + v, for v < `variables`.
+  BooleanExpression monotone_form(int variables) const;
   bool is_constant(bool value) const;
 
  private:

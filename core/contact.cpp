@@ -172,4 +172,41 @@ bool has_sign_within(int primitive, bool positive, const RegionEvaluator& region
   return may_have;
 }
 
+bool may_cross_within(int first, int second, const RegionEvaluator& region, const Box& bounds) {
+  const BooleanExpression& whole = region.region().expression();
+  BooleanExpression always = BooleanExpression::constant(true);
+  for (const bool a : {false, true})
+    for (const bool b : {false, true})
+      always = always & whole.restricted(first, a).restricted(second, b);
+  if (always.is_constant(false)) return false;
+  bool may_cross = false;
+  branch(
+      bounds, resolution_for(bounds.dimension),
+      [&](const Box& box) {
+        const Signs signs(region, box);
+        return signs.of(first) == Truth::unknown && signs.of(second) == Truth::unknown &&
+               signs.of(always) != Truth::no;
+      },
+      [&](const Box&) {
+        may_cross = true;
+        return false;
+      });
+  return may_cross;
+}
+
+bool may_vanish_within(const LevelFunction& function, const RegionEvaluator& region,
+                       const Box& bounds) {
+  bool may_vanish = false;
+  branch(
+      bounds, resolution_for(bounds.dimension),
+      [&](const Box& box) {
+        return function.bounds(box).value.low <= 0 && region.contains(box) != Truth::no;
+      },
+      [&](const Box&) {
+        may_vanish = true;
+        return false;
+      });
+  return may_vanish;
+}
+
 }  // namespace rfm

@@ -39,4 +39,12 @@ bool extends_beyond_piece(int primitive, const RegionEvaluator& region, const Bo
 bool has_sign_within(int primitive, bool positive, const RegionEvaluator& region,
                      const Box& bounds);
 
+/// Whether the zero sets of two primitives may meet inside the region, where its membership depends
+/// on neither (false is proved).
+bool may_cross_within(int first, int second, const RegionEvaluator& region, const Box& bounds);
+
+/// Whether `function` may be zero or negative somewhere in the region (false is proved).
+bool may_vanish_within(const LevelFunction& function, const RegionEvaluator& region,
+                       const Box& bounds);
+
 }  // namespace rfm

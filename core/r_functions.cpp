@@ -56,6 +56,7 @@ struct Conjunction {
     return select(apply(Operation::less, {0.0, s}), min(x, y) * quotient,
                   -absolute_power(s, system.m) - pow(e, system.m));
   }
+  Field operator()(const UserSystem& system) const { return system.conjunction(x, y); }
 };
 
 template <class Join>
@@ -82,6 +83,8 @@ Field disjunction(const Field& x, const Field& y, const RSystem& system) {
   if (const auto* alpha = std::get_if<RAlpha>(&system); alpha && alpha->alpha == 0)
     return apply(Operation::r0_disjunction, {x, y});
   if (std::holds_alternative<R1>(system)) return max(x, y);
+  if (const auto* user = std::get_if<UserSystem>(&system); user && user->disjunction)
+    return user->disjunction(x, y);
   return -conjunction(-x, -y, system);
 }
 
@@ -111,7 +114,12 @@ Field disjunction(const std::vector<Field>& fields, const RSystem& system) {
                   [&](const Field& a, const Field& b) { return disjunction(a, b, system); });
 }
 
-Field implicit(const BooleanExpression& expression, const Region& region, const RSystem& system) {
+Field r_function(const BooleanExpression& expression, std::span<const Field> arguments,
+                 const RSystem& system) {
+  if (expression.variable_count() > static_cast<int>(arguments.size()))
+    throw InvalidArgument("a Boolean expression of " + std::to_string(expression.variable_count()) +
+                          " variables needs as many fields, got " +
+                          std::to_string(arguments.size()));
   using Kind = BooleanExpression::Kind;
   std::vector<Field> built;
   for (const auto& node : expression.nodes()) {
@@ -120,7 +128,7 @@ Field implicit(const BooleanExpression& expression, const Region& region, const 
         built.push_back(node.first ? 1.0 : -1.0);
         break;
       case Kind::variable:
-        built.push_back(region.primitives()[node.first]->function);
+        built.push_back(arguments[node.first]);
         break;
       case Kind::negation:
         built.push_back(-built[node.first]);
@@ -134,6 +142,12 @@ Field implicit(const BooleanExpression& expression, const Region& region, const 
     }
   }
   return built.back();
+}
+
+Field implicit(const BooleanExpression& expression, const Region& region, const RSystem& system) {
+  std::vector<Field> functions;
+  for (const auto& primitive : region.primitives()) functions.push_back(primitive->function);
+  return r_function(expression, functions, system);
 }
 
 Field implicit(const Region& region, const RSystem& system) {

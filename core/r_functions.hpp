@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/boolean.hpp"
@@ -33,6 +34,14 @@ Field sheffer_stroke(const Field& x, const Field& y, const RSystem& system = RAl
 /// (systems other than R₁ are not associative); of none, 1 and −1.
 Field conjunction(const std::vector<Field>& fields, const RSystem& system = RAlpha{});
 Field disjunction(const std::vector<Field>& fields, const RSystem& system = RAlpha{});
+
+/// The R-function of any Boolean function (its companion): R-functions of `system` substituted for
+/// the operations of `expression`, field v for variable v (theorem 3 of Shapiro 2007). A field may
+/// occur several times; where the expression is minimal it does so least often. Texts and truth
+/// tables become expressions by `BooleanText::expression` and `minimal_expression`. Throws
+/// `InvalidArgument` if there are fewer fields than variables.
+Field r_function(const BooleanExpression& expression, std::span<const Field> arguments,
+                 const RSystem& system = RAlpha{});
 
 /// A Boolean expression over primitives with R-functions substituted for its operations; variable v
 /// becomes the normalised function of primitive v.

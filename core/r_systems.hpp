@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <ostream>
+#include <string>
 #include <variant>
 
 #include "core/field.hpp"
@@ -43,10 +46,38 @@ struct RAlphaM {
 struct RCm {
   int m = 2;
 };
+/// A system of one's own. Everything that takes an `RSystem` takes it:
+///
+///     const RSystem quartic = UserSystem{"quartic", [](const Field& x, const Field& y) {
+///       return x + y - sqrt(sqrt(pow(x, 4) + x * x * y * y + pow(y, 4))); }};
+///
+/// `conjunction` must be continuous and positive exactly where both arguments are (else it is no
+/// R-conjunction), and should be commutative: weights join fields in no promised order.
+struct UserSystem {
+  using Operation = std::function<Field(const Field&, const Field&)>;
+  /// In formulas: conjunctions are written name_and(x, y).
+  std::string name;
+  Operation conjunction;
+  /// Where it is not given, by De Morgan's law.
+  Operation disjunction = {};
+  int normalization_order = 0;  ///< as above; 0 promises nothing
+  std::string smoothness = "as its author made it";
+};
 
-using RSystem = std::variant<RAlpha, R1, Rp, RAlphaField, RAlphaM, RCm>;
+using RSystem = std::variant<RAlpha, R1, Rp, RAlphaField, RAlphaM, RCm, UserSystem>;
 
 /// The parameter in a few words, as "R-alpha, alpha = 0.5".
 std::ostream& operator<<(std::ostream& stream, const RSystem& system);
+
+inline constexpr int every_order = std::numeric_limits<int>::max();
+/// To which order conjunctions and disjunctions keep normalisation on a face: 1 for Rα, p − 1 for
+/// Rp, `every_order` for R₁, 0 where they do not keep it.
+int normalization_order(const RSystem& system);
+/// How smooth conjunctions of smooth functions are, in words.
+std::string smoothness_text(const RSystem& system);
+/// Conjunction (or disjunction) of two formulas as a formula: `r0_and(a, b)`, `min(a, b)`. Rα, R₁
+/// and Rp are operations of formulas (docs/fields.md); the others are names only.
+std::string operation_text(const RSystem& system, bool conjunction, const std::string& a,
+                           const std::string& b);
 
 }  // namespace rfm

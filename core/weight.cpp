@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 #include "core/contact.hpp"
+#include "core/error.hpp"
+#include "core/expression_text.hpp"
+#include "core/function_shaping.hpp"
+#include "core/r_equivalence.hpp"
 #include "core/r_functions.hpp"
+#include "core/weight_literals.hpp"
 
 namespace rfm {
 namespace {
@@ -51,38 +57,14 @@ Factor as_factor(const BooleanExpression& expression) {
   return factor;
 }
 
-std::string formula_of(const BooleanExpression& expression, const Region& region,
-                       CombineRule rule) {
-  const bool r1 = rule == CombineRule::r1;
-  std::vector<std::string> built;
-  for (const auto& node : expression.nodes()) {
-    switch (node.kind) {
-      case Kind::constant:
-        built.push_back(node.first ? "1" : "-1");
-        break;
-      case Kind::variable:
-        built.push_back("omega(" + region.primitives()[node.first]->name + ")");
-        break;
-      case Kind::negation:
-        built.push_back("-" + built[node.first]);
-        break;
-      default: {
-        const bool both = node.kind == Kind::conjunction;
-        built.push_back((r1 ? (both ? "min(" : "max(") : (both ? "r0_and(" : "r0_or(")) +
-                        built[node.first] + ", " + built[node.second] + ")");
-      }
-    }
-  }
-  return built.back();
-}
-
-// A conjunct that multiplies: a literal as its level, anything else as an R-function.
-Field multiplier(const BooleanExpression& expression, const Region& region) {
+// The primitive of an expression that is nothing but a literal; -1 for any other.
+Factor::Literal literal_of(const BooleanExpression& expression) {
   const auto& nodes = expression.nodes();
-  if (nodes.back().kind == Kind::variable) return region.primitives()[nodes.back().first]->level;
-  if (nodes.back().kind == Kind::negation && nodes[nodes.back().first].kind == Kind::variable)
-    return -region.primitives()[nodes[nodes.back().first].first]->level;
-  return implicit(expression, region);
+  const auto& last = nodes.back();
+  if (last.kind == Kind::variable) return {last.first, false};
+  if (last.kind == Kind::negation && nodes[last.first].kind == Kind::variable)
+    return {nodes[last.first].first, true};
+  return {-1, false};
 }
 
 // Whether a conjunct only chooses a part of the others: the weight need not vanish on it.
@@ -91,20 +73,120 @@ bool selects_only(const BooleanExpression& conjunct, const Region& region) {
   return last.kind == Kind::variable && region.primitives()[last.first]->selects_only;
 }
 
-// Groups of conjuncts connected by pairs that must not multiply.
+using Pairs = std::vector<std::pair<int, int>>;
+
+bool contains(const Factor& factor, int primitive) {
+  return std::ranges::any_of(factor.literals, [&](const Factor::Literal& literal) {
+    return literal.primitive == primitive;
+  });
+}
+
+// Groups of conjuncts connected by pairs that must not multiply: those that meet at obtuse angles,
+// and those with a scale for the corner of theirs.
 std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluator& region,
-                        const Box& bounds, CombineRule rule) {
+                        const Box& bounds, bool always_multiply, const Pairs& corners) {
   std::vector<int> group(factors.size());
   std::iota(group.begin(), group.end(), 0);
-  if (rule == CombineRule::product) return group;
+  const auto must_join = [&](const Factor& a, const Factor& b) {
+    const bool is_scaled = std::ranges::any_of(corners, [&](const auto& corner) {
+      return (contains(a, corner.first) && contains(b, corner.second)) ||
+             (contains(a, corner.second) && contains(b, corner.first));
+    });
+    return is_scaled || (!always_multiply && contact(a, b, region, bounds) == Contact::obtuse);
+  };
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (std::size_t j = i + 1; j < factors.size(); ++j) {
-      if (group[i] == group[j]) continue;
-      if (contact(factors[i], factors[j], region, bounds) != Contact::obtuse) continue;
+      if (group[i] == group[j] || !must_join(factors[i], factors[j])) continue;
       const int from = std::max(group[i], group[j]), to = std::min(group[i], group[j]);
       std::ranges::replace(group, from, to);
     }
   return group;
+}
+
+// Pairs of primitives with a scale for the corner where they meet.
+Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literals,
+                     const RegionEvaluator& region, const Box& bounds) {
+  Pairs pairs;
+  for (const CornerScale& corner : options.corner_scales) {
+    if (!(corner.scale > 0))
+      throw InvalidArgument("the scale of the corner of " + corner.first + " and " + corner.second +
+                            " must be positive, got " + std::to_string(corner.scale));
+    for (const int a : literals.named(corner.first))
+      for (const int b : literals.named(corner.second)) {
+        if (a == b || may_cross_within(a, b, region, bounds))
+          throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
+                                " cannot be scaled: they meet inside the region");
+        pairs.emplace_back(a, b);
+      }
+  }
+  return pairs;
+}
+
+// ω joined by R-equivalence with the distances of scaled corners.
+void scale_corners(Weight& weight, const WeightOptions& options, const WeightLiterals& literals,
+                   const Region& region) {
+  for (const CornerScale& corner : options.corner_scales)
+    for (const int a : literals.named(corner.first))
+      for (const int b : literals.named(corner.second)) {
+        const auto& primitives = region.primitives();
+        const Field distance = hypot(primitives[a]->function, primitives[b]->function);
+        weight.function = equivalence(weight.function, distance / corner.scale);
+        const std::string text = "hypot(omega(" + primitives[a]->name + "), omega(" +
+                                 primitives[b]->name + "))/" + number_text(corner.scale);
+        weight.formula = "rp_equivalence(" + weight.formula + ", " + text + ", 2)";
+        weight.parts.push_back({text, "R-equivalence with the distance from a corner",
+                                "analytic but at the corner; there Lipschitz"});
+      }
+}
+
+constexpr const char* of_a_shape = "as the function of the shape";
+
+// A weight of R-functions of one system throughout.
+Weight weight_of_system(const BooleanExpression& normal, const WeightLiterals& literals,
+                        const RSystem& system) {
+  Weight result{literals.combined(normal, system), literals.combined_text(normal, system)};
+  std::ostringstream rule;
+  rule << "R-functions, " << system;
+  if (literal_of(normal).primitive >= 0)
+    result.parts.push_back({result.formula, "the shape alone", of_a_shape});
+  else
+    result.parts.push_back({result.formula, rule.str(), smoothness_text(system)});
+  return result;
+}
+
+// Conjuncts that meet at obtuse angles, or a single one, as one factor of the product.
+Weight weight_of_group(const BooleanExpression& joined, bool alone,
+                       const WeightLiterals& literals) {
+  const RSystem r0 = RAlpha{0};
+  const Factor::Literal literal = literal_of(joined);
+  if (literal.primitive >= 0) {
+    const std::string text = literals.text(literal.primitive, literal.negated);
+    return {literals.factor(literal.primitive, literal.negated),
+            text,
+            {{text, "the shape alone", of_a_shape}}};
+  }
+  const std::string text = literals.combined_text(joined, r0);
+  return {literals.combined(joined, r0),
+          text,
+          {{text,
+            alone ? "R0-functions, a union within the shape"
+                  : "R0-functions, boundaries that meet at more than 90 degrees",
+            smoothness_text(r0)}}};
+}
+
+void level_off(Weight& factor, const PlateauRule& rule) {
+  factor.function = plateau(factor.function, rule);
+  const std::string w = number_text(rule.width), p = std::to_string(rule.power);
+  factor.formula = "(1 - max(1 - " + factor.formula + "/" + w + ", 0)^" + p + ")";
+  factor.parts[0].rule += ", levelled off at " + w;
+  factor.parts[0].smoothness +=
+      "; at the edge of the plateau " + std::to_string(rule.power - 1) + " times differentiable";
+}
+
+std::string reason_for_product(const CombineRule& rule) {
+  return std::holds_alternative<ProductRule>(rule)
+             ? "as asked"
+             : "their boundaries do not meet, or at no more than 90 degrees";
 }
 
 }  // namespace
@@ -130,11 +212,18 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression) {
 }
 
 Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
-              CombineRule rule) {
+              const WeightOptions& options) {
+  const WeightLiterals literals(region.region(), options);
+  if (options.cap &&
+      may_vanish_within(LevelFunction(*options.cap, bounds.dimension), region, bounds))
+    throw InvalidArgument("the cap of a weight must be positive all over the region");
+  const Pairs corners = scaled_corners(options, literals, region, bounds);
   const BooleanExpression normal = simplified(expression, region, bounds).negations_at_leaves();
-  if (rule == CombineRule::r0 || rule == CombineRule::r1) {
-    const RSystem system = RAlpha{rule == CombineRule::r1 ? 1.0 : 0.0};
-    return {implicit(normal, region.region(), system), formula_of(normal, region.region(), rule)};
+  Weight result{1.0, ""};
+  if (const auto* system = std::get_if<RSystem>(&options.rule)) {
+    result = weight_of_system(normal, literals, *system);
+    scale_corners(result, options, literals, region.region());
+    return result;
   }
   std::vector<Factor> factors;
   for (const BooleanExpression& conjunct : conjuncts(normal)) {
@@ -142,8 +231,9 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
     const Factor factor = as_factor(conjunct);
     if (meets_region(factor, region, bounds)) factors.push_back(factor);
   }
-  const std::vector<int> group = groups(factors, region, bounds, rule);
-  Weight product{1.0, ""};
+  const bool always = std::holds_alternative<ProductRule>(options.rule);
+  const std::vector<int> group = groups(factors, region, bounds, always, corners);
+  const auto* plateau = std::get_if<PlateauRule>(&options.rule);
   for (std::size_t first = 0; first < factors.size(); ++first) {
     if (group[first] != static_cast<int>(first)) continue;
     BooleanExpression joined = factors[first].expression;
@@ -153,16 +243,23 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
         joined = joined & factors[other].expression;
         alone = false;
       }
-    product.function = product.function * (alone ? multiplier(joined, region.region())
-                                                 : implicit(joined, region.region()));
-    product.formula +=
-        (product.formula.empty() ? "" : " * ") + formula_of(joined, region.region(), rule);
+    Weight factor = weight_of_group(joined, alone, literals);
+    if (plateau) level_off(factor, *plateau);
+    result.function = result.function * factor.function;
+    result.formula += (result.formula.empty() ? "" : " * ") + factor.formula;
+    result.parts.push_back(factor.parts[0]);
   }
-  return product;
+  if (result.parts.size() > 1)
+    result.parts.insert(result.parts.begin(), {result.formula,
+                                               "product of " + std::to_string(result.parts.size()) +
+                                                   " factors, " + reason_for_product(options.rule),
+                                               "as its factors"});
+  scale_corners(result, options, literals, region.region());
+  return result;
 }
 
-Weight weight(const RegionEvaluator& region, const Box& bounds, CombineRule rule) {
-  return weight(region.region().expression(), region, bounds, rule);
+Weight weight(const RegionEvaluator& region, const Box& bounds, const WeightOptions& options) {
+  return weight(region.region().expression(), region, bounds, options);
 }
 
 }  // namespace rfm

@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "core/combine_rule.hpp"
 #include "core/region.hpp"
 
 namespace rfm {
 
-/// How the Boolean expression of a region becomes the function that multiplies Ψ.
-enum class CombineRule {
-  automatic,  ///< the smoothest that is right, see `weight`
-  r0,         ///< R₀-functions throughout
-  r1,         ///< min and max: for comparison only, first order at best
-  product     ///< a product of all conjuncts, whatever the angles
+/// Which rule made a part of a weight, and how smooth that part is, in words.
+struct WeightPart {
+  std::string formula;
+  std::string rule;
+  std::string smoothness;
 };
 
 /// A weight: zero on the boundary, positive inside.
@@ -20,6 +20,8 @@ struct Weight {
   Field function;
   /// How it is built, in words of the primitives' names: `outer * -inner`, `r0_and(a, b) * c`.
   std::string formula;
+  /// The whole first where it joins several parts.
+  std::vector<WeightPart> parts = {};
 };
 
 /// `expression` without the primitives whose sign is the same all over `bounds`, which is proved.
@@ -39,13 +41,16 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression);
 /// Conjuncts whose zero set does not meet the closed region are left out.
 ///
 /// Products use the primitives' `level` (polynomials where there are any), R-functions their
-/// normalised `function`.
-Weight weight(const RegionEvaluator& region, const Box& bounds,
-              CombineRule rule = CombineRule::automatic);
+/// normalised `function`. `options` choose another rule, and shape the functions of primitives.
+///
+/// Throws `InvalidArgument` where options are out of range or name no primitive, a cap is not
+/// proved positive in the region, or the pieces of a corner scale cross inside the region (where
+/// the weight would be zero).
+Weight weight(const RegionEvaluator& region, const Box& bounds, const WeightOptions& options = {});
 
 /// The weight of an expression over the primitives of `region` other than its own: the product or
 /// R₀-function that vanishes on the pieces of the boundary that `expression` names.
 Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
-              CombineRule rule = CombineRule::automatic);
+              const WeightOptions& options = {});
 
 }  // namespace rfm

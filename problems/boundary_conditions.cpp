@@ -38,16 +38,15 @@ std::optional<Field> exclusive(const std::optional<Field>& where,
 // The pieces that the structure prescribes, as a set of primitives.
 using Primitives = std::set<int>;
 
-// The conjuncts of the domain's expression whose primitives, as far as they bound the domain, are all
-// in `prescribed`, joined.
+// The conjuncts of the domain's expression whose primitives, as far as they bound the domain, are
+// all in `prescribed`, joined.
 struct PrescribedConjuncts {
   BooleanExpression expression = BooleanExpression::constant(true);
   Primitives covered;
 };
 
 PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Box& bounds,
-                                         const Primitives& bounding,
-                                         const Primitives& prescribed) {
+                                         const Primitives& bounding, const Primitives& prescribed) {
   PrescribedConjuncts result;
   for (const BooleanExpression& conjunct :
        conjuncts(simplified(region.region().expression(), region, bounds).negations_at_leaves())) {
@@ -64,19 +63,21 @@ PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Bo
 
 // A function that vanishes on the pieces of `primitives` (with their `where`) and nowhere else.
 Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
-                    const Box& bounds, const Primitives& bounding, CombineRule rule) {
+                    const Box& bounds, const Primitives& bounding, const WeightOptions& options) {
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
   const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, bounds, bounding, whole);
-  Weight result = weight(conjuncts.expression, region, bounds, rule);
+  Weight result = weight(conjuncts.expression, region, bounds, options);
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
     const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
     const Field function = piece.where ? trim(part.function, *piece.where) : part.function;
     result.function = result.function * function;
-    result.formula +=
-        (result.formula.empty() ? "" : " * ") + std::string("trim(omega(") + piece.name + "))";
+    const std::string text = "trim(omega(" + piece.name + "))";
+    result.formula += (result.formula.empty() ? "" : " * ") + text;
+    result.parts.push_back(
+        {text, "a piece trimmed to its part of the boundary", "twice differentiable off its ends"});
   }
   return result;
 }
@@ -104,7 +105,7 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, bounding, whole);
   for (const BooleanExpression& conjunct : conjuncts(prescribed.expression))
     if (!conjunct.is_constant(true)) {
-      const Weight factor = weight(conjunct, region, bounds, CombineRule::r0);
+      const Weight factor = weight(conjunct, region, bounds, CombineRule(RAlpha{0}));
       multiply(factor.function, factor.formula);
     }
   for (const PieceCondition& piece : pieces) {
@@ -149,7 +150,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 }
 
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
-                             const RegionEvaluator& region, const Box& bounds, CombineRule rule,
+                             const RegionEvaluator& region, const Box& bounds,
+                             const WeightOptions& options,
                              const std::vector<bool>& data_is_regular) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
@@ -181,7 +183,7 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
              : "it shares a corner of the boundary's expression with another kind of condition"));
   }
   if (plan.by_structure.empty()) return plan;
-  plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, rule);
+  plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, options);
   // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
   std::vector<std::vector<PieceCondition>> groups;
   for (const PieceCondition& piece : plan.by_structure) {

@@ -52,7 +52,8 @@ struct DirichletPlan {
 /// undefined somewhere in the domain, and what the file asks for. `enforce: structure` forces the
 /// rest, by trimmed functions.
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
-                             const RegionEvaluator& region, const Box& bounds, CombineRule rule,
+                             const RegionEvaluator& region, const Box& bounds,
+                             const WeightOptions& options,
                              const std::vector<bool>& data_is_regular);
 
 }  // namespace rfm

@@ -54,8 +54,11 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),
              condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));
-  if (!scalar.dirichlet().by_structure.empty())
+  if (!scalar.dirichlet().by_structure.empty()) {
     log.line("structure: u = g + omega psi, omega = {}", scalar.dirichlet().weight.formula);
+    for (const WeightPart& part : scalar.dirichlet().weight.parts)
+      log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
+  }
   for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
   const TensorProductSpace space(grid, problem.discretization.degree,
                                  cells_in_region(rule, problem.discretization.degree));

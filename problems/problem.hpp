@@ -182,7 +182,7 @@ struct Problem {
 
   std::map<std::string, Region> shapes;
   std::optional<Region> domain;  ///< never empty in a problem that was read
-  CombineRule combine = CombineRule::automatic;
+  WeightOptions combine;
   std::optional<Box> bounds;
   std::map<std::string, BoundaryTarget> regions;
   std::vector<Condition> conditions;

@@ -4,6 +4,7 @@
 
 #include "problems/boundary_coverage.hpp"
 #include "problems/boundary_reader.hpp"
+#include "problems/combine_reader.hpp"
 #include "problems/definition_reader.hpp"
 #include "problems/overrides.hpp"
 #include "problems/physics_reader.hpp"
@@ -41,13 +42,8 @@ void read_geometry(const DocumentNode& root, ValueReader& values, ShapeReader& s
   if (!geometry) return;
   if (const DocumentNode* bounds = values.find(*geometry, "bounds"))
     problem.bounds = values.box(*bounds);
-  const DocumentNode* combine = values.find(*geometry, "combine");
-  const DocumentNode* rule = combine ? values.find(*combine, "rule") : nullptr;
-  if (!rule) return;
-  problem.combine = rule->text == "R0"        ? CombineRule::r0
-                    : rule->text == "R1"      ? CombineRule::r1
-                    : rule->text == "product" ? CombineRule::product
-                                              : CombineRule::automatic;
+  if (const DocumentNode* combine = values.find(*geometry, "combine"))
+    problem.combine = read_combine(*combine, values, problem.domain);
 }
 
 void read_contents(ValueReader& values, Problem& problem) {

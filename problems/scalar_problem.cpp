@@ -22,11 +22,13 @@ namespace {
   throw ProblemFileErrors({Mistake{message, place}});
 }
 
-Place domain_place(const Problem& problem) {
+Place geometry_place(const Problem& problem, std::string_view key) {
   const DocumentNode* geometry = problem.document.find("geometry");
-  const DocumentNode* domain = geometry ? geometry->find("domain") : nullptr;
-  return domain ? domain->place : problem.document.place;
+  const DocumentNode* node = geometry ? geometry->find(key) : nullptr;
+  return node ? node->place : problem.document.place;
 }
+
+Place domain_place(const Problem& problem) { return geometry_place(problem, "domain"); }
 
 Box problem_bounds(const Problem& problem, const RegionEvaluator& region) {
   if (problem.bounds) return *problem.bounds;
@@ -124,7 +126,11 @@ ScalarProblem::ScalarProblem(const Problem& problem)
     regular.push_back(
         condition.kind != Condition::Kind::value || condition.data[0].is_constant() ||
         (is_regular(condition.data[0], region_, bounds_) && is_defined(condition.data[0], probe)));
-  plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular);
+  try {
+    plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular);
+  } catch (const InvalidArgument& error) {  // a cap that is not positive, corners that cross inside
+    refuse(error.what(), geometry_place(problem, "combine"));
+  }
   structure_ = plan_.by_structure.empty() ? Structure::undetermined()
                                           : rfm::dirichlet(plan_.data, plan_.weight.function);
 }

@@ -195,7 +195,7 @@ class StructureCheck {
       if (dimension_.empty() || dimension_ == dimension) active.insert(dimension + "D");
     for (const SchemaKey& child : key.keys) {
       const DocumentNode* value = node.find(child.name);
-      if (child.name == "type") {
+      if (child.name == "type" || child.name == "rule") {
         const std::string standard(child.presence.standard);
         active.insert(value && value->is_scalar() ? value->text : standard);
       }

@@ -29,11 +29,20 @@ std::string name_of(const testing::TestParamInfo<RSystem>& info) {
 // Symmetric in its arguments and in their signs, between −0.5 and 0.8.
 const Field alpha_field = 0.8 - 1.3 * (x * x + y * y) / (1 + x * x + y * y);
 
+// A system of one's own: (x + y)⁴ exceeds x⁴ + x²y² + y⁴ exactly where both are positive or both
+// negative, and on x = 0 the root is |y| + O(x²).
+const UserSystem quartic{"quartic",
+                         [](const Field& a, const Field& b) {
+                           return a + b - sqrt(sqrt(pow(a, 4) + a * a * b * b + pow(b, 4)));
+                         },
+                         {},
+                         1};
+
 // Systems that are normalised, and all of them.
 const auto normalized_systems =
     testing::Values(RSystem(RAlpha{-0.9}), RSystem(RAlpha{0}), RSystem(RAlpha{0.5}),
                     RSystem(RAlpha{1}), RSystem(R1{}), RSystem(Rp{2}), RSystem(Rp{4}),
-                    RSystem(Rp{6}), RSystem(RAlphaField{alpha_field}));
+                    RSystem(Rp{6}), RSystem(RAlphaField{alpha_field}), RSystem(quartic));
 const auto flat_systems =
     testing::Values(RSystem(RAlphaM{0, 1}), RSystem(RAlphaM{0, 2}), RSystem(RAlphaM{0.3, 3}),
                     RSystem(RCm{1}), RSystem(RCm{2}), RSystem(RCm{3}), RSystem(RCm{4}));
@@ -263,6 +272,48 @@ TEST_P(EverySystem, ImplicitFunctionOfARegionHasItsSign) {
   for (double a = -1.63; a < 1.6; a += 0.11)
     for (double b = -1.617; b < 1.6; b += 0.11)
       EXPECT_EQ(value_at(omega, {a, b}) > 0, evaluator.contains(Point{a, b})) << a << ", " << b;
+}
+
+TEST_P(EverySystem, NormalizationIsKeptToTheOrderItClaimsAndNoFurther) {
+  // On {x = 0, y > 0}: x ∧ y = x + O(x^{k+1}), and x ∨ y likewise on {x = 0, y < 0}.
+  const int claimed = std::min(normalization_order(GetParam()), 6);
+  const Field functions[] = {conjunction(x, y, GetParam()), disjunction(x, y, GetParam())};
+  for (const int which : {0, 1}) {
+    const PointJet jet = evaluate(functions[which], {0.0, which == 0 ? 0.8 : -0.8}, 7, 2);
+    if (claimed == 0) {
+      EXPECT_GT(std::fabs(jet.derivative(1, 0) - 1), 1e-3);
+      continue;
+    }
+    EXPECT_NEAR(jet.derivative(1, 0), 1, 1e-13);
+    for (int k = 2; k <= claimed; ++k) EXPECT_NEAR(jet.derivative(k, 0), 0, 1e-10) << k;
+    if (claimed < 6) {
+      EXPECT_GT(std::fabs(jet.derivative(claimed + 1, 0)), 0.1);
+    }
+  }
+}
+
+TEST(RFunctions, OfAnyBooleanFunctionOfThreeArgumentsHaveItsSigns) {
+  // All 256 of them, as sums of their rows in a truth table.
+  const Field z = z_coordinate();
+  const Field fields[] = {x, y, z};
+  for (int table = 0; table < 256; ++table) {
+    BooleanExpression expression = BooleanExpression::constant(false);
+    for (int row = 0; row < 8; ++row) {
+      if ((table >> row & 1) == 0) continue;
+      BooleanExpression term = BooleanExpression::constant(true);
+      for (int v = 0; v < 3; ++v)
+        term = term & ((row >> v & 1) != 0 ? BooleanExpression::variable(v)
+                                           : !BooleanExpression::variable(v));
+      expression = expression | term;
+    }
+    const Field f = r_function(expression, fields);
+    for (int row = 0; row < 8; ++row) {
+      const Point at{(row & 1) != 0 ? 0.7 : -2.0, (row & 2) != 0 ? 3.0 : -0.4,
+                     (row & 4) != 0 ? 1.0 : -1.0};
+      EXPECT_EQ(value_at(f, at) > 0, (table >> row & 1) != 0) << table << ", " << row;
+    }
+  }
+  EXPECT_THROW(r_function(BooleanExpression::variable(3), fields), InvalidArgument);
 }
 
 }  // namespace

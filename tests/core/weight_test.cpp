@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/bounding_box.hpp"
+#include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/primitives.hpp"
 
@@ -15,9 +16,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Weight weight_of(const Region& region, CombineRule rule = CombineRule::automatic) {
+Weight weight_of(const Region& region, const WeightOptions& options = {}) {
   const RegionEvaluator evaluator(region);
-  return weight(evaluator, bounding_box(evaluator), rule);
+  return weight(evaluator, bounding_box(evaluator), options);
 }
 
 // The regular polygon with unit apothem, sides e0, e1, …
@@ -118,8 +119,10 @@ TEST(Weight, ConjunctsThatDoNotMeetTheRegionAreLeftOut) {
 TEST(Weight, OfEveryRuleVanishesToFirstOrderOnTheBoundary) {
   // u − g = O(ω) needs a normal derivative that is not zero.
   const Region ring = circle({0, 0}, 1) - circle({0.2, 0.1}, 0.35);
-  for (const CombineRule rule :
-       {CombineRule::automatic, CombineRule::r0, CombineRule::r1, CombineRule::product}) {
+  for (const CombineRule& rule :
+       {CombineRule(AutomaticRule{}), CombineRule(RAlpha{0}), CombineRule(R1{}),
+        CombineRule(ProductRule{}), CombineRule(RAlpha{0.5}), CombineRule(Rp{4}),
+        CombineRule(PlateauRule{0.2, 3})}) {
     const Field omega = weight_of(ring, rule).function;
     for (const double t : {0.3, 2.0, 4.1})
       for (const Point& at : {Point{std::cos(t), std::sin(t)},
@@ -134,17 +137,117 @@ TEST(Weight, OfEveryRuleVanishesToFirstOrderOnTheBoundary) {
 
 TEST(Weight, RulesOverrideTheChoice) {
   const Region square = box({0, 0}, {1, 1}).named("s"), hexagon = polygon(6);
-  EXPECT_EQ(weight_of(square, CombineRule::r0).formula,
+  EXPECT_EQ(weight_of(square, CombineRule(RAlpha{0})).formula,
             "r0_and(r0_and(r0_and(omega(s.left), omega(s.right)), omega(s.bottom)), omega(s.top))");
-  EXPECT_THAT(weight_of(square, CombineRule::r1).formula, testing::StartsWith("min(min(min("));
-  EXPECT_NEAR(value_at(weight_of(square, CombineRule::r1).function, {0.3, 0.9}), 0.1, 1e-16);
-  EXPECT_THAT(weight_of(hexagon, CombineRule::product).formula, Not(HasSubstr("r0")));
+  EXPECT_THAT(weight_of(square, CombineRule(R1{})).formula, testing::StartsWith("min(min(min("));
+  EXPECT_NEAR(value_at(weight_of(square, CombineRule(R1{})).function, {0.3, 0.9}), 0.1, 1e-16);
+  EXPECT_THAT(weight_of(hexagon, CombineRule(ProductRule{})).formula, Not(HasSubstr("r0")));
 }
 
 TEST(Weight, InSpaceABrickIsAProduct) {
   const Weight brick = weight_of(box({0, 0, 0}, {1, 2, 3}, 3).named("b"));
   EXPECT_THAT(brick.formula, Not(HasSubstr("r0")));
   EXPECT_NEAR(value_at(brick.function, {0.5, 1, 1.5}), 0.25 * 1 * 2.25, 1e-15);
+}
+
+TEST(Weight, OfAnySystemIsWrittenAndSaysHowSmoothItIs) {
+  const Region square = box({0, 0}, {1, 1}).named("s") & half_plane({0, 0}, {1, 1}).named("h");
+  const auto expect = [&](const RSystem& system, const char* formula, const char* smoothness) {
+    const Weight omega = weight_of(square, CombineRule(system));
+    EXPECT_THAT(omega.formula, testing::StartsWith(formula));
+    ASSERT_EQ(omega.parts.size(), 1u);
+    EXPECT_THAT(omega.parts[0].smoothness, HasSubstr(smoothness)) << formula;
+    EXPECT_GT(value_at(omega.function, {0.3, 0.4}), 0);
+    EXPECT_LT(value_at(omega.function, {1.3, 0.4}), 0);
+  };
+  expect(RAlpha{0.5}, "ralpha_and(ralpha_and(ralpha_and(", "Lipschitz");
+  expect(Rp{4}, "rp_and(rp_and(rp_and(", "Lipschitz");
+  expect(RAlphaM{0, 2}, "r0m_and(r0m_and(r0m_and(", "2 times differentiable");
+  expect(R1{}, "min(min(min(", "kink");
+  expect(UserSystem{"mine", [](const Field& x, const Field& y) { return min(x, y); }},
+         "mine_and(mine_and(mine_and(", "as its author made it");
+}
+
+TEST(Weight, PartsNameTheRuleOfEveryFactor) {
+  const Weight ell =
+      weight_of(box({0, 0}, {1, 1}).named("big") - box({0.5, 0.5}, {2, 2}).named("small"));
+  ASSERT_EQ(ell.parts.size(), 6u);
+  EXPECT_EQ(ell.parts[0].rule,
+            "product of 5 factors, their boundaries do not meet, or at no more than 90 degrees");
+  EXPECT_EQ(ell.parts[1].formula, "omega(big.left)");
+  EXPECT_EQ(ell.parts[1].rule, "the shape alone");
+  EXPECT_EQ(ell.parts[5].formula, "r0_or(-omega(small.left), -omega(small.bottom))");
+  EXPECT_EQ(ell.parts[5].rule, "R0-functions, a union within the shape");
+  const Weight hexagon = weight_of(polygon(6));
+  ASSERT_EQ(hexagon.parts.size(), 1u);
+  EXPECT_EQ(hexagon.parts[0].rule, "R0-functions, boundaries that meet at more than 90 degrees");
+}
+
+TEST(Weight, PlateausAreConstantBeyondTheirWidth) {
+  const Region square = box({0, 0}, {1, 1}).named("s");
+  const Field omega = weight_of(square, CombineRule(PlateauRule{0.2, 3})).function;
+  for (const Point& at : {Point{0.5, 0.5}, Point{0.21, 0.4}, Point{0.7, 0.79}}) {
+    const PointJet jet = evaluate(omega, at, 2, 2);
+    EXPECT_EQ(jet.value(), 1);
+    EXPECT_EQ(jet.derivative(1, 0), 0);
+    EXPECT_EQ(jet.derivative(0, 2), 0);
+  }
+  EXPECT_NEAR(value_at(omega, {0.1, 0.5}), 1 - 0.125, 1e-15);
+}
+
+TEST(Weight, SaturationAndCapsBoundItAndKeepItsSlope) {
+  const Region disk = circle({0, 0}, 2).named("disk");
+  const auto slope = [](const Field& omega) {
+    return evaluate(omega, {2, 0}, 1, 2).derivative(1, 0);
+  };
+  WeightOptions saturated;
+  saturated.saturation = Saturation{1, 5};
+  const Weight one = weight_of(disk, saturated);
+  EXPECT_EQ(one.formula, "omega(disk)/(1 + abs(5*(omega(disk)))^1)");
+  EXPECT_LT(value_at(one.function, {0, 0}), 0.2);  // 1/beta
+  EXPECT_NEAR(slope(one.function), -1, 1e-15);
+  WeightOptions capped;
+  capped.cap = 0.1 + 0.01 * x_coordinate();
+  const Weight two = weight_of(disk, capped);
+  EXPECT_EQ(two.formula, "r0_and(omega(disk), 0.1 + 0.01*x)");
+  EXPECT_LT(value_at(two.function, {0, 0}), 0.1);
+  EXPECT_NEAR(slope(two.function), -1, 1e-15);
+  capped.cap = x_coordinate();
+  EXPECT_THROW(weight_of(disk, capped), InvalidArgument);
+}
+
+TEST(Weight, ScalesDivideTheSlopeOfPieces) {
+  WeightOptions options(CombineRule(RAlpha{0}));
+  options.piece_scales = {{"s.left", 4}};
+  const Weight omega = weight_of(box({0, 0}, {1, 1}).named("s"), options);
+  EXPECT_THAT(omega.formula, HasSubstr("omega(s.left)/4"));
+  EXPECT_NEAR(evaluate(omega.function, {0, 0.4}, 1, 2).derivative(1, 0), 0.25, 1e-14);
+  EXPECT_NEAR(evaluate(omega.function, {0.4, 0}, 1, 2).derivative(0, 1), 1, 1e-14);
+  options.piece_scales = {{"missing", 4}};
+  EXPECT_THROW(weight_of(box({0, 0}, {1, 1}).named("s"), options), InvalidArgument);
+}
+
+TEST(Weight, CornerScalesBoundItNearTheirCorner) {
+  // At a reentrant corner of 270 degrees R0 grows as 2 + sqrt 2 times the distance along the
+  // bisector; with a scale m no direction exceeds distance / m.
+  const Region ell = box({-1, -1}, {1, 1}).named("big") - box({0, 0}, {2, 2}).named("small");
+  WeightOptions options(CombineRule(RAlpha{0}));
+  const Field plain = weight_of(ell, options).function;
+  options.corner_scales = {{"small.left", "small.bottom", 2}};
+  const Weight scaled = weight_of(ell, options);
+  EXPECT_THAT(scaled.formula,
+              testing::EndsWith("hypot(omega(small.left), omega(small.bottom))/2, 2)"));
+  const double r = 1e-4, s = std::sqrt(0.5);
+  EXPECT_NEAR(value_at(plain, {-r * s, -r * s}) / r, std::sqrt(2.0) + 1, 1e-3);
+  const double near = std::sqrt(2.0) + 1;
+  EXPECT_NEAR(value_at(scaled.function, {-r * s, -r * s}) / r, 0.5 * near / std::hypot(0.5, near),
+              1e-3);
+  EXPECT_NEAR(evaluate(scaled.function, {0, 0.4}, 1, 2).derivative(1, 0), -1, 1e-13);
+  // Two circles that cross inside their union have no corner there.
+  const Region three = circle({0, 0}, 1).named("a") | circle({1, 0}, 1).named("b") |
+                       circle({0.5, 0.8}, 1).named("c");
+  options.corner_scales = {{"a", "b", 1}};
+  EXPECT_THROW(weight_of(three, options), InvalidArgument);
 }
 
 TEST(Weight, ConjunctsAreTheOperandsOfTheOutermostConjunction) {

@@ -99,7 +99,7 @@ TEST(ReadProblem, ShapesHaveTheirSidesAndTheDomainItsPrimitives) {
   EXPECT_FALSE(domain.contains(Point{0.7, 0.5}));   // the hole, of radius 0.25
   EXPECT_TRUE(domain.contains(Point{0.96, 0.5}));   // beside it
   EXPECT_FALSE(domain.contains(Point{1.6, 0.85}));  // above the roof
-  EXPECT_EQ(problem.combine, CombineRule::automatic);
+  EXPECT_TRUE(std::holds_alternative<AutomaticRule>(problem.combine.rule));
   EXPECT_FALSE(problem.bounds);
 }
 
@@ -308,10 +308,9 @@ TEST(ReadProblem, WhatIsNotSupportedYetIsNeverIgnored) {
        {"units={length: mm}", "sweep={r: [1, 2]}", "points=[{at: [0, 0], value: 1}]",
         "enrich=[{at: [0, 0]}]", "discretization.refine=[{where: x}]",
         "discretization.structure=phi + omega*psi", "discretization.accuracy={target: 1e-3}",
-        "study={type: transient, to: 1, step: 0.1}", "geometry.combine={rule: Rp, p: 4}",
-        "sets={p: {point: [0, 0]}}", "cracks=[{on: p, tip: [0, 0]}]", "remainder=psi",
-        "physics.advection=[1, 0]", "include=[a.yaml]",
-        "probes={p: {point: [0, 0], value: u, at_times: [1]}}"}) {
+        "study={type: transient, to: 1, step: 0.1}", "sets={p: {point: [0, 0]}}",
+        "cracks=[{on: p, tip: [0, 0]}]", "remainder=psi", "physics.advection=[1, 0]",
+        "include=[a.yaml]", "probes={p: {point: [0, 0], value: u, at_times: [1]}}"}) {
     const std::vector<std::string> found = messages(disk, {override_text});
     EXPECT_THAT(found, testing::Each(testing::HasSubstr("is not supported yet"))) << override_text;
     EXPECT_FALSE(found.empty()) << override_text;

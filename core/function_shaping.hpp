@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/combine_rule.hpp"
+
+namespace rfm {
+
+// Functions with the zeros of ω and its slope on them (Shapiro 2007, §7.3): they control how large
+// a weight becomes inside.
+
+/// ω / (1 + |βω|^α), as ω for ω → 0: normalised to order min(k, α) where ω is to order k (α a whole
+/// number). Largest value for α > 1, at |βω| = (α − 1)^{−1/α}; for α = 1 it tends to 1/β. Throws
+/// `InvalidArgument` unless α ≥ 1 and β > 0.
+Field saturate(const Field& omega, const Saturation& saturation);
+
+/// ω ∧₀ γ, below γ where γ > 0 and as ω for ω → 0: normalised to order 1 where ω is.
+Field cap(const Field& omega, const Field& gamma);
+
+/// 1 − (1 − ω/w)₊ᵖ: 1 for ω ≥ w, of slope p/w where ω = 0, p − 1 times differentiable: the weight
+/// of web-splines (K. Höllig, Finite Element Methods with B-Splines, 2003). Not normalised, so that
+/// products of such functions are 1 away from the boundary. Throws `InvalidArgument` unless w > 0
+/// and 1 ≤ p ≤ 16.
+Field plateau(const Field& omega, const PlateauRule& rule);
+
+}  // namespace rfm
