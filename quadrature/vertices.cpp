@@ -1,0 +1,123 @@
+#include "quadrature/vertices.hpp"
+
+#include <algorithm>
+
+#include "quadrature/candidate_boxes.hpp"
+#include "quadrature/local_structure.hpp"
+#include "quadrature/point_algebra.hpp"
+#include "quadrature/zero_isolation.hpp"
+
+namespace rfm {
+namespace {
+
+double maximum_distance(const Point& a, const Point& b) {
+  double distance = 0;
+  for (int axis = 0; axis < 3; ++axis) distance = std::max(distance, std::fabs(a[axis] - b[axis]));
+  return distance;
+}
+
+class VertexFinder {
+ public:
+  VertexFinder(const RegionEvaluator& region, const Box& box)
+      : region_(region), box_(box), size_(box.longest_side()) {}
+
+  VertexSearch run() {
+    // Small enough that few primitives meet in a part.
+    constexpr double parts = 16;
+    if (box_.dimension > 1)
+      result_.crowded_boxes = visit_candidate_boxes(region_, box_, size_ / parts,
+                                                    [&](const CandidateBox& part) { visit(part); });
+    std::ranges::sort(result_.vertices, {}, &Vertex::point);
+    cluster_unresolved();
+    return std::move(result_);
+  }
+
+ private:
+  void visit(const CandidateBox& part) {
+    if (box_.dimension == 2) {
+      for (const PrimitivePair& pair : part.pairs) search(part, {pair.first, pair.second});
+      return;
+    }
+    const int count = static_cast<int>(part.primitives.size());
+    for (int i = 0; i < count; ++i)
+      for (int j = i + 1; j < count; ++j)
+        for (int k = j + 1; k < count; ++k)
+          if (is_triple(part, {i, j, k})) search(part, {i, j, k});
+  }
+
+  // Three surfaces, two pairs of which may form edges.
+  static bool is_triple(const CandidateBox& part, const std::array<int, 3>& variables) {
+    int pairs = 0;
+    for (const PrimitivePair& pair : part.pairs)
+      pairs += std::ranges::count(variables, pair.first) == 1 &&
+               std::ranges::count(variables, pair.second) == 1;
+    return pairs >= 2;
+  }
+
+  void search(const CandidateBox& part, std::vector<int> variables) {
+    static constexpr std::array<int, 3> axes{0, 1, 2};
+    std::vector<const LevelFunction*> functions;
+    for (const int v : variables) functions.push_back(&region_.level(part.primitives[v]));
+    const std::span used(axes.begin(), static_cast<std::size_t>(box_.dimension));
+    const ZeroSet zeros = isolate_zeros(functions, part.box, used);
+    for (const Point& point : zeros.zeros) add(part, point);
+    unresolved_.insert(unresolved_.end(), zeros.unresolved.begin(), zeros.unresolved.end());
+  }
+
+  void add(const CandidateBox& part, const Point& point) {
+    constexpr double same = 1e-9;
+    for (const Vertex& other : result_.vertices)
+      if (maximum_distance(other.point, point) <= same * size_) return;
+    constexpr double rounding = 1e-12;
+    const LocalStructure structure(region_, part.table, part.primitives, point, rounding * size_);
+    Vertex vertex{point, structure.primitives, 0, 0};
+    if (box_.dimension == 2) {
+      const SectorWalk walk = walk_sectors(structure, {1, 0, 0}, {0, 1, 0});
+      if (!walk.is_corner) return;
+      vertex.angle = walk.angle;
+      vertex.edges = walk.rays;
+    } else {
+      const VertexStructure corner = vertex_structure(structure);
+      if (!corner.is_vertex) return;
+      vertex.angle = corner.solid_angle;
+      vertex.edges = corner.edges;
+    }
+    result_.vertices.push_back(std::move(vertex));
+  }
+
+  // The middles of groups of boxes that touch.
+  void cluster_unresolved() {
+    std::vector<Box> groups;
+    for (const Box& box : unresolved_) {
+      Box grown = box;
+      std::erase_if(groups, [&](const Box& group) {
+        for (int axis = 0; axis < box_.dimension; ++axis)
+          if (group.low[axis] > grown.high[axis] + box.length(axis) ||
+              group.high[axis] < grown.low[axis] - box.length(axis))
+            return false;
+        for (int axis = 0; axis < box_.dimension; ++axis) {
+          grown.low[axis] = std::min(grown.low[axis], group.low[axis]);
+          grown.high[axis] = std::max(grown.high[axis], group.high[axis]);
+        }
+        return true;
+      });
+      groups.push_back(grown);
+    }
+    for (const Box& group : groups) result_.unresolved.push_back(group.center());
+    std::ranges::sort(result_.unresolved);
+  }
+
+  const RegionEvaluator& region_;
+  const Box& box_;
+  double size_;
+  std::vector<Box> unresolved_;
+  VertexSearch result_;
+};
+
+}  // namespace
+
+VertexSearch find_vertices(const RegionEvaluator& region, const Box& box) {
+  return VertexFinder(region, box).run();
+}
+
+}  // namespace rfm
