@@ -1,12 +1,18 @@
 #include "problems/check.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <numbers>
+#include <span>
 
 #include "problems/pictures/check_picture.hpp"
 #include "problems/reader.hpp"
 #include "problems/result_folder.hpp"
 #include "problems/run_log.hpp"
 #include "problems/scalar_problem.hpp"
+#include "quadrature/edges.hpp"
+#include "quadrature/vertices.hpp"
 #include "solvers/assembly.hpp"
 
 namespace rfm {
@@ -23,6 +29,33 @@ const char* kind_name(Condition::Kind kind) {
     default:
       return "robin";
   }
+}
+
+// Corners of the plane; vertices and edges of space.
+void log_corners(const ScalarProblem& problem, RunLog& log) {
+  const RegionEvaluator& region = problem.region();
+  if (region.dimension() == 1) return;
+  const VertexSearch search = find_vertices(region, problem.bounds());
+  if (region.dimension() == 2) {
+    log.line("{} corners", search.vertices.size());
+    constexpr std::size_t most_shown = 20;
+    for (const Vertex& corner :
+         std::span(search.vertices).first(std::min(most_shown, search.vertices.size())))
+      log.line("  ({:.6g}, {:.6g}): {:.6g} degrees", corner.point[0], corner.point[1],
+               180 / std::numbers::pi * corner.angle);
+    if (search.vertices.size() > most_shown)
+      log.line("  and {} more", search.vertices.size() - most_shown);
+  } else {
+    const EdgeRule edges = make_edge_rule(region, problem.bounds());
+    log.line("{} vertices, edges of length {:.12g}", search.vertices.size(), edges.points.length());
+    if (edges.report.uncertified_boxes > 0)
+      log.line("note: edges of length {:.3g} could not be resolved",
+               edges.report.uncertified_length);
+    if (edges.report.contact_boxes > 0) log.line("note: surfaces touch without forming an edge");
+  }
+  for (const Point& point : search.unresolved)
+    log.line("note: surfaces touch or are singular near ({})",
+             fmt::join(point.begin(), point.begin() + region.dimension(), ", "));
 }
 
 void write_picture(const std::string& file, const std::string& output, const ScalarProblem& problem,
@@ -51,6 +84,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
     log.line("{}: {:.12g} to {:.12g}", "xyz"[axis], box.low[axis], box.high[axis]);
   log.line("measure of the domain {:.12g}, of its boundary {:.12g}", rule.measure(),
            rule.boundary_measure());
+  log_corners(scalar, log);
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),
              condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "quadrature/edges.hpp"
+#include "quadrature/vertices.hpp"
+
 namespace rfm {
 namespace {
 
@@ -55,6 +58,16 @@ void add_probes(ordered_json& summary, const std::vector<ProbeResult>& probes, i
   }
 }
 
+// How many corners the plane has; how many vertices space, and the length of its edges.
+void add_corners(ordered_json& measures, const ScalarProblem& problem) {
+  const RegionEvaluator& region = problem.region();
+  if (region.dimension() == 1) return;
+  const std::size_t count = find_vertices(region, problem.bounds()).vertices.size();
+  measures[region.dimension() == 2 ? "corners" : "vertices"] = count;
+  if (region.dimension() == 3)
+    measures["edges"] = make_edge_rule(region, problem.bounds()).points.length();
+}
+
 std::string method_name(LinearSolution::Method method) {
   switch (method) {
     case LinearSolution::Method::cholesky:
@@ -94,6 +107,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   for (int k : problem.bounding_primitives())
     measures["boundary"][problem.region().region().primitives()[k]->name] =
         solution.rule.boundary_measure(k);
+  add_corners(measures, problem);
   summary["energy"] = solution.energy;
   summary["boundary_residual"] = solution.boundary_residual;
   if (report.errors) summary["errors"]["u"] = as_json(*report.errors);
