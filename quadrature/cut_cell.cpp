@@ -78,7 +78,7 @@ class RuleBuilder : public PartVisitor {
  public:
   RuleBuilder(const Box& cell, const CellRuleOptions& options, CellRule& rule)
       : cell_(cell),
-        gauss_(gauss_legendre(options.points)),
+        inside_gauss_(gauss_legendre(options.inside_points)),
         rule_(rule),
         sink_{cell.dimension, rule},
         points_(options.points, sink_),
@@ -89,7 +89,7 @@ class RuleBuilder : public PartVisitor {
   void full(const Box& box, const Frame* frame) override {
     rule_.is_full = !frame && box.low == cell_.low && box.high == cell_.high;
     sink_.frame = frame;
-    add_tensor_rule(box, gauss_,
+    add_tensor_rule(box, inside_gauss_,
                     [&](const Point& point, double weight) { sink_.volume_point(point, weight); });
     rule_.measure.volume += box.measure();
     rule_.other_measure.volume += box.measure();
@@ -112,7 +112,7 @@ class RuleBuilder : public PartVisitor {
 
  private:
   const Box& cell_;
-  const GaussRule& gauss_;
+  const GaussRule& inside_gauss_;
   CellRule& rule_;
   PointSink sink_;
   IteratedRule<PointSink> points_;

@@ -18,6 +18,9 @@ struct CellRuleOptions {
   /// Whether volume and boundary are also found by the rule of one point fewer (one more, if there
   /// is one): half of the cost again.
   bool compare_orders = true;
+  /// Gauss points per axis of boxes within the cell that are inside: nothing is bent there, and
+  /// what serves cells inside serves smaller boxes.
+  int inside_points = 4;
 };
 
 /// What a cut cell contributes to a rule.

@@ -165,7 +165,9 @@ class DomainRuleBuilder {
     bool is_full = false;
     const auto add = [&](const Box& box, const ActiveSet& active) {
       rule.is_full = false;
-      add_cell_rule(box, active, {options_.cut_points, options_.compare_orders}, subdivision, rule);
+      add_cell_rule(box, active,
+                    {options_.cut_points, options_.compare_orders, options_.inside_points},
+                    subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
     };
     if (task.cut_cell < 0) {

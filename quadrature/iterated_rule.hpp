@@ -1,7 +1,7 @@
 #pragma once
 
 #include "quadrature/gauss_legendre.hpp"
-#include "quadrature/reduction_3d.hpp"
+#include "quadrature/smooth_intervals.hpp"
 
 namespace rfm {
 
@@ -33,6 +33,7 @@ class IteratedRule {
 
   const GaussRule& gauss_;
   Sink& sink_;
+  SmoothIntervals intervals_;
 };
 
 template <class Sink>
@@ -53,15 +54,11 @@ void IteratedRule<Sink>::add_line(const ActiveSet& active, SurfaceSigns parallel
 
 template <class Sink>
 void IteratedRule<Sink>::add_plane(const Reduction2D& reduction, double weight) {
-  const auto& breakpoints = reduction.breakpoints();
-  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    const double from = breakpoints[i].position;
-    const double width = breakpoints[i + 1].position - from;
-    if (width <= reduction.negligible_width()) continue;
+  for (const SmoothInterval& interval : intervals_.of_plane(reduction))
     for (int k = 0; k < gauss_.size(); ++k)
       add_line(reduction.active(), reduction.vertical(),
-               reduction.line(from + width * gauss_.nodes[k]), weight * width * gauss_.weights[k]);
-  }
+               reduction.line(interval.at(gauss_.nodes[k])),
+               weight * interval.length() * gauss_.weights[k]);
   for (const auto& wall : reduction.walls()) add_wall(reduction, wall, weight);
 }
 
@@ -81,13 +78,10 @@ void IteratedRule<Sink>::add_wall(const Reduction2D& reduction, const Wall& wall
 
 template <class Sink>
 void IteratedRule<Sink>::add_space(Reduction3D& reduction) {
-  const auto& breakpoints = reduction.breakpoints();
-  for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-    const double from = breakpoints[i], width = breakpoints[i + 1] - from;
-    if (width <= reduction.negligible_width()) continue;
+  for (const SmoothInterval& interval : intervals_.of_space(reduction))
     for (int k = 0; k < gauss_.size(); ++k)
-      add_plane(reduction.section(from + width * gauss_.nodes[k]), width * gauss_.weights[k]);
-  }
+      add_plane(reduction.section(interval.at(gauss_.nodes[k])),
+                interval.length() * gauss_.weights[k]);
   for (const auto& wall : reduction.walls()) add_wall(reduction, wall);
 }
 
