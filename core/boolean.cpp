@@ -37,6 +37,30 @@ BooleanExpression BooleanExpression::variable(int number) {
   return expression;
 }
 
+BooleanExpression BooleanExpression::of_nodes(const std::vector<Node>& nodes, int root) {
+  std::vector<bool> used(root + 1, false);
+  used[root] = true;
+  const auto binary = [](const Node& node) {
+    return node.kind == Kind::conjunction || node.kind == Kind::disjunction;
+  };
+  for (int i = root; i >= 0; --i) {
+    if (!used[i]) continue;
+    if (nodes[i].kind == Kind::negation || binary(nodes[i])) used[nodes[i].first] = true;
+    if (binary(nodes[i])) used[nodes[i].second] = true;
+  }
+  BooleanExpression expression;
+  std::vector<int> place(root + 1, 0);
+  for (int i = 0; i <= root; ++i) {
+    if (!used[i]) continue;
+    Node node = nodes[i];
+    if (node.kind == Kind::negation || binary(node)) node.first = place[node.first];
+    if (binary(node)) node.second = place[node.second];
+    place[i] = static_cast<int>(expression.nodes_.size());
+    expression.nodes_.push_back(node);
+  }
+  return expression;
+}
+
 int BooleanExpression::variable_count() const {
   int count = 0;
   for (const Node& node : nodes_)
@@ -125,29 +149,58 @@ void BooleanExpression::mark_relevant(std::span<const Truth> signs,
   }
 }
 
+namespace {
+
+/// A list of nodes under construction in which constants are absorbed at once.
+class NodeList {
+ public:
+  using Kind = BooleanExpression::Kind;
+
+  int add(const BooleanExpression::Node& node) {
+    nodes_.push_back(node);
+    return static_cast<int>(nodes_.size()) - 1;
+  }
+  int negation_of(int argument) {
+    if (nodes_[argument].kind == Kind::constant)
+      return add({Kind::constant, nodes_[argument].first == 0 ? 1 : 0, 0});
+    if (nodes_[argument].kind == Kind::negation) return nodes_[argument].first;
+    return add({Kind::negation, argument, 0});
+  }
+  int join_of(Kind kind, int first, int second) {
+    const bool neutral = kind == Kind::conjunction;
+    for (const auto& [one, other] : {std::pair(first, second), std::pair(second, first)})
+      if (nodes_[one].kind == Kind::constant)
+        return (nodes_[one].first != 0) == neutral ? other : one;
+    return add({kind, first, second});
+  }
+  BooleanExpression expression(int root) const { return BooleanExpression::of_nodes(nodes_, root); }
+
+ private:
+  std::vector<BooleanExpression::Node> nodes_;
+};
+
+}  // namespace
+
 BooleanExpression BooleanExpression::restricted(int number, bool value) const {
-  std::vector<BooleanExpression> built;
-  built.reserve(nodes_.size());
+  NodeList list;
+  std::vector<int> place;
   for (const Node& node : nodes_) {
     switch (node.kind) {
       case Kind::constant:
-        built.push_back(constant(node.first != 0));
+        place.push_back(list.add(node));
         break;
       case Kind::variable:
-        built.push_back(node.first == number ? constant(value) : variable(node.first));
+        place.push_back(
+            list.add(node.first == number ? Node{Kind::constant, value ? 1 : 0, 0} : node));
         break;
       case Kind::negation:
-        built.push_back(!built[node.first]);
+        place.push_back(list.negation_of(place[node.first]));
         break;
-      case Kind::conjunction:
-        built.push_back(built[node.first] & built[node.second]);
-        break;
-      case Kind::disjunction:
-        built.push_back(built[node.first] | built[node.second]);
-        break;
+      default:
+        place.push_back(list.join_of(node.kind, place[node.first], place[node.second]));
     }
   }
-  return built.back();
+  return list.expression(place.back());
 }
 
 BooleanExpression BooleanExpression::renamed(std::span<const int> new_number) const {
@@ -158,31 +211,33 @@ BooleanExpression BooleanExpression::renamed(std::span<const int> new_number) co
 }
 
 BooleanExpression BooleanExpression::negations_at_leaves() const {
-  // For every node the expression itself and its negation, negations only on variables.
-  std::vector<std::array<BooleanExpression, 2>> built;
-  built.reserve(nodes_.size());
-  for (const Node& node : nodes_) {
-    switch (node.kind) {
-      case Kind::constant:
-        built.push_back({constant(node.first != 0), constant(node.first == 0)});
-        break;
-      case Kind::variable:
-        built.push_back({variable(node.first), !variable(node.first)});
-        break;
-      case Kind::negation:
-        built.push_back({built[node.first][1], built[node.first][0]});
-        break;
-      case Kind::conjunction:
-        built.push_back({built[node.first][0] & built[node.second][0],
-                         built[node.first][1] | built[node.second][1]});
-        break;
-      case Kind::disjunction:
-        built.push_back({built[node.first][0] | built[node.second][0],
-                         built[node.first][1] & built[node.second][1]});
-        break;
+  // Which of node and negated node are used, from the root down; then both are built.
+  const int count = static_cast<int>(nodes_.size());
+  std::vector<std::array<bool, 2>> used(count, {false, false});
+  used.back()[0] = true;
+  for (int i = count - 1; i >= 0; --i)
+    for (const bool negated : {false, true}) {
+      const Node& node = nodes_[i];
+      if (!used[i][negated] || node.kind == Kind::constant || node.kind == Kind::variable) continue;
+      used[node.first][node.kind == Kind::negation ? !negated : negated] = true;
+      if (node.kind != Kind::negation) used[node.second][negated] = true;
     }
-  }
-  return built.back()[0];
+  NodeList list;
+  std::vector<std::array<int, 2>> place(count);
+  for (int i = 0; i < count; ++i)
+    for (const bool negated : {false, true}) {
+      if (!used[i][negated]) continue;
+      const Node& node = nodes_[i];
+      const bool conjunction = (node.kind == Kind::conjunction) != negated;
+      if (node.kind == Kind::constant || node.kind == Kind::variable)
+        place[i][negated] = negated ? list.negation_of(list.add(node)) : list.add(node);
+      else if (node.kind == Kind::negation)
+        place[i][negated] = place[node.first][!negated];
+      else
+        place[i][negated] = list.join_of(conjunction ? Kind::conjunction : Kind::disjunction,
+                                         place[node.first][negated], place[node.second][negated]);
+    }
+  return list.expression(place.back()[0]);
 }
 
 BooleanExpression BooleanExpression::monotone_form(int variables) const {

@@ -21,6 +21,9 @@ class BooleanExpression {
 
   static BooleanExpression constant(bool value);
   static BooleanExpression variable(int number);
+  /// What `nodes[root]` stands for, without the nodes that it does not use; arguments come before
+  /// their users.
+  static BooleanExpression of_nodes(const std::vector<Node>& nodes, int root);
 
   /// Number of variables: one more than the largest that occurs.
   int variable_count() const;

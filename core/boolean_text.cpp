@@ -1,7 +1,10 @@
 #include "core/boolean_text.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/expression_tokens.hpp"
+#include "core/nearest_name.hpp"
 
 namespace rfm {
 namespace {
@@ -10,6 +13,7 @@ constexpr int deepest_nesting = 250;
 constexpr std::size_t largest_expression = 100'000;
 
 std::size_t size_of(const Region& region) { return region.expression().nodes().size(); }
+std::size_t size_of(const BooleanExpression& expression) { return expression.nodes().size(); }
 
 }  // namespace
 
@@ -116,19 +120,20 @@ std::vector<BooleanText::Name> BooleanText::names() const {
   return names;
 }
 
-Region BooleanText::region(const std::function<Region(const Name&)>& shape) const {
-  std::vector<Region> stack;
+template <class Value, class Named>
+Value BooleanText::folded(const Named& named) const {
+  std::vector<Value> stack;
   const auto take = [&stack] {
-    Region region = std::move(stack.back());
+    Value value = std::move(stack.back());
     stack.pop_back();
-    return region;
+    return value;
   };
   for (const Node& node : nodes_) {
     if (node.kind == Node::Kind::name) {
-      stack.push_back(shape({text_.substr(node.offset, node.length), node.offset}));
+      stack.push_back(named(Name{text_.substr(node.offset, node.length), node.offset}));
       continue;
     }
-    const Region last = take();
+    const Value last = take();
     // An exclusive or holds both arguments twice: a chain of them grows like a power of two.
     const bool is_exclusive = node.kind == Node::Kind::exclusive;
     const std::size_t others = node.kind == Node::Kind::complement ? 0 : size_of(stack.back());
@@ -142,7 +147,7 @@ Region BooleanText::region(const std::function<Region(const Name&)>& shape) cons
         stack.push_back(take() & last);
         break;
       case Node::Kind::difference:
-        stack.push_back(take() - last);
+        stack.push_back(take() & !last);
         break;
       case Node::Kind::exclusive:
         stack.push_back(take() ^ last);
@@ -152,6 +157,25 @@ Region BooleanText::region(const std::function<Region(const Name&)>& shape) cons
     }
   }
   return take();
+}
+
+Region BooleanText::region(const std::function<Region(const Name&)>& shape) const {
+  return folded<Region>(shape);
+}
+
+BooleanExpression BooleanText::expression(
+    const std::function<BooleanExpression(const Name&)>& variable) const {
+  return folded<BooleanExpression>(variable);
+}
+
+BooleanExpression BooleanText::expression(const std::vector<std::string>& variables) const {
+  return expression([&](const Name& name) {
+    const auto known = std::ranges::find(variables, name.name);
+    if (known == variables.end())
+      throw InputError("unknown name '" + name.name + "'" + did_you_mean(name.name, variables),
+                       name.offset, name.name.size());
+    return BooleanExpression::variable(static_cast<int>(known - variables.begin()));
+  });
 }
 
 }  // namespace rfm

@@ -30,6 +30,10 @@ class BooleanText {
   /// The region, given the meaning of names. What `shape` throws passes through. Throws
   /// `InputError` on more than 100,000 operations (an exclusive or counts its arguments twice).
   Region region(const std::function<Region(const Name&)>& shape) const;
+  /// The same as a Boolean expression, of which `r_function` makes an R-function of any fields.
+  BooleanExpression expression(const std::function<BooleanExpression(const Name&)>& variable) const;
+  /// With names for the variables 0, 1, …. Throws `InputError` on a name that is not among them.
+  BooleanExpression expression(const std::vector<std::string>& variables) const;
 
  private:
   friend class BooleanTextParser;
@@ -39,6 +43,9 @@ class BooleanText {
     std::size_t offset;
     std::size_t length;
   };
+  template <class Value, class Named>
+  Value folded(const Named& named) const;
+
   std::string text_;
   /// In the order of evaluation: arguments before their users.
   std::vector<Node> nodes_;

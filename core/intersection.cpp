@@ -79,7 +79,7 @@ std::optional<Point> nearest_zero(const LevelFunction& f, const Point& start) {
     Point gradient;
     const double value = f.value_and_gradient(point, gradient);
     const double square = dot(gradient, gradient);
-    if (!(square > 0)) return {};
+    if (!(square > 0)) return value == 0 ? std::optional(point) : std::nullopt;  // on a kink
     Point step;
     for (int axis = 0; axis < 3; ++axis) {
       step[axis] = -value / square * gradient[axis];

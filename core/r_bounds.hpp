@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/jet.hpp"
@@ -38,6 +39,32 @@ T narrowed_to_smaller(const T& bounds, const T& a, const T& b, double factor) {
   const double most =
       factor * std::min(range_of_bound(a).magnitude(), range_of_bound(b).magnitude());
   return narrowed(bounds, {-most, most});
+}
+
+// Where the branch of |a|, min and max is undecided, both branches bound the function; so does the
+// range that follows from those of the arguments, and more tightly.
+
+template <class T, int N, int K>
+requires is_bound<T> Jet<T, N, K> abs(const Jet<T, N, K>& a) {
+  Jet<T, N, K> result = select(less(a.c[0], T(0.0)), -a, a);
+  result.c[0] = narrowed(result.c[0], abs(range_of_bound(a.c[0])));
+  return result;
+}
+
+template <class T, int N, int K>
+requires is_bound<T> Jet<T, N, K> min(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  const Interval &x = range_of_bound(a.c[0]), &y = range_of_bound(b.c[0]);
+  Jet<T, N, K> result = select(less_or_nan(b.c[0], a.c[0]), b, a);
+  result.c[0] = narrowed(result.c[0], {std::min(x.low, y.low), std::min(x.high, y.high)});
+  return result;
+}
+
+template <class T, int N, int K>
+requires is_bound<T> Jet<T, N, K> max(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  const Interval &x = range_of_bound(a.c[0]), &y = range_of_bound(b.c[0]);
+  Jet<T, N, K> result = select(greater_or_nan(b.c[0], a.c[0]), b, a);
+  result.c[0] = narrowed(result.c[0], {std::max(x.low, y.low), std::max(x.high, y.high)});
+  return result;
 }
 
 }  // namespace rfm

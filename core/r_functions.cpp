@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/boolean_simplification.hpp"
 #include "core/error.hpp"
 
 namespace rfm {
@@ -151,7 +152,7 @@ Field implicit(const BooleanExpression& expression, const Region& region, const 
 }
 
 Field implicit(const Region& region, const RSystem& system) {
-  return implicit(region.expression().negations_at_leaves(), region, system);
+  return implicit(without_redundancy(region.expression()), region, system);
 }
 
 }  // namespace rfm

@@ -47,7 +47,9 @@ Field r_function(const BooleanExpression& expression, std::span<const Field> arg
 /// becomes the normalised function of primitive v.
 Field implicit(const BooleanExpression& expression, const Region& region,
                const RSystem& system = RAlpha{});
-/// The whole region as one function: ≥ 0 exactly on it, for membership, pictures and composition.
+/// The whole region as one function, of its expression without redundancy: ≥ 0 exactly on it, for
+/// membership, pictures and composition. Zero on the boundary, and at irregular places
+/// (core/regularity.hpp).
 Field implicit(const Region& region, const RSystem& system = RAlpha{});
 
 }  // namespace rfm

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/boolean_simplification.hpp"
 #include "core/contact.hpp"
 #include "core/error.hpp"
 #include "core/expression_text.hpp"
@@ -218,7 +219,7 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
       may_vanish_within(LevelFunction(*options.cap, bounds.dimension), region, bounds))
     throw InvalidArgument("the cap of a weight must be positive all over the region");
   const Pairs corners = scaled_corners(options, literals, region, bounds);
-  const BooleanExpression normal = simplified(expression, region, bounds).negations_at_leaves();
+  const BooleanExpression normal = without_redundancy(simplified(expression, region, bounds));
   Weight result{1.0, ""};
   if (const auto* system = std::get_if<RSystem>(&options.rule)) {
     result = weight_of_system(normal, literals, *system);

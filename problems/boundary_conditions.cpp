@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/boolean_simplification.hpp"
 #include "core/boundary_piece.hpp"
 #include "core/tape.hpp"
 #include "core/trim.hpp"
@@ -49,7 +50,7 @@ PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Bo
                                          const Primitives& bounding, const Primitives& prescribed) {
   PrescribedConjuncts result;
   for (const BooleanExpression& conjunct :
-       conjuncts(simplified(region.region().expression(), region, bounds).negations_at_leaves())) {
+       conjuncts(without_redundancy(simplified(region.region().expression(), region, bounds)))) {
     Primitives used;
     for (const auto& node : conjunct.nodes())
       if (node.kind == BooleanExpression::Kind::variable && bounding.contains(node.first))

@@ -94,6 +94,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
       log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
   }
   for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
+  for (const Irregularity& irregularity : scalar.irregularities())
+    log.line("note: {}", describe(irregularity, scalar.region()));
   const TensorProductSpace space(grid, problem.discretization.degree,
                                  cells_in_region(rule, problem.discretization.degree));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,

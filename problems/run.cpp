@@ -38,6 +38,11 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
     for (const auto& set : problem.dirichlet().data_sets)
       log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
   for (const std::string& remark : problem.dirichlet().remarks) log.line("note: {}", remark);
+  // A zero inside matters to a weight only.
+  for (const Irregularity& irregularity : problem.irregularities())
+    if (irregularity.kind == Irregularity::Kind::dangling ||
+        !problem.dirichlet().by_structure.empty())
+      log.line("note: {}", describe(irregularity, problem.region()));
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes the level of u; its mean is set to zero");
   std::string cells;

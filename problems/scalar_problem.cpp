@@ -131,6 +131,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   } catch (const InvalidArgument& error) {  // a cap that is not positive, corners that cross inside
     refuse(error.what(), geometry_place(problem, "combine"));
   }
+  irregularities_ = rfm::irregularities(region_, bounds_);
   structure_ = plan_.by_structure.empty() ? Structure::undetermined()
                                           : rfm::dirichlet(plan_.data, plan_.weight.function);
 }

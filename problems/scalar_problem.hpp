@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bounding_box.hpp"
+#include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
 #include "problems/scalar_physics.hpp"
 #include "quadrature/domain_rule.hpp"
@@ -53,6 +54,8 @@ class ScalarProblem {
   const DirichletPlan& dirichlet() const { return plan_; }
   const ScalarCoefficients& coefficients() const { return coefficients_; }
   const Structure& structure() const { return structure_; }
+  /// Where the function of the domain is zero inside it, and dangling pieces.
+  const std::vector<Irregularity>& irregularities() const { return irregularities_; }
 
   Grid grid(std::optional<int> cells = {}) const { return problem_grid(problem_, bounds_, cells); }
   /// Quadrature for solving: p + 1 points per axis inside, p + 3 in cut cells and on boundaries;
@@ -83,6 +86,7 @@ class ScalarProblem {
   std::vector<int> bounding_primitives_;
   std::vector<PieceCondition> conditions_;
   DirichletPlan plan_;
+  std::vector<Irregularity> irregularities_;
   Structure structure_;
 };
 

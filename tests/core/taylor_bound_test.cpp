@@ -36,6 +36,25 @@ TEST(TaylorBound, DependenceIsNotLost) {
   EXPECT_LT((x * (TaylorBound(1.0) - x)).range.high, 0.5 + 1e-12);
 }
 
+TEST(TaylorBound, BranchesThatAreUndecidedKeepTheRangeOfTheWhole) {
+  // The union of both branches would be [−1, 2], [1, 3] ∪ [2, 5] and the same.
+  const auto expect = [](const Interval& found, double low, double high) {
+    EXPECT_EQ(found.low, low);
+    EXPECT_EQ(found.high, high);
+  };
+  using Plain = Jet<Interval, 1, 0>;
+  using Model = Jet<TaylorBound, 1, 0>;
+  const Plain x = Plain::constant({-1, 2}), p = Plain::constant({1, 4}),
+              q = Plain::constant({2, 3});
+  expect(abs(x).value(), 0, 2);
+  expect(min(p, q).value(), 1, 3);
+  expect(max(p, q).value(), 2, 4);
+  const TaylorBound::Frame frame({2, 0, 0});
+  const Model y = Model::constant(TaylorBound::coordinate({-1, 2}, 0));
+  EXPECT_EQ(abs(y).value().range.low, 0);
+  EXPECT_EQ(max(y, Model::constant(TaylorBound(0.5))).value().range.low, 0.5);
+}
+
 TEST(TaylorBound, AModelOutsideItsOwnRangeIsGivenUp) {
   // Over a wide box the model of an exponential has its middle far above every value; logarithms
   // and roots must not be expanded there.
