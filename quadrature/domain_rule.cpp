@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "quadrature/compensated_sum.hpp"
+#include "quadrature/compression.hpp"
 #include "quadrature/cut_cell.hpp"
 
 namespace rfm {
@@ -186,6 +187,10 @@ class DomainRuleBuilder {
     if (rule.volume.size() == volume) state = CellState::outside;
     if (!split && (is_full || fraction > 1 - rounding)) state = CellState::inside;
     if (state == CellState::inside) rule.volume.resize(volume);
+    if (options_.compress_cut_cells && state == CellState::cut && !split) {
+      const int dimension = rule_.dimension();
+      compress(dimension, compressed_degree(options_.cut_points, dimension), volume, rule.volume);
+    }
     part.results.push_back({state, rule.volume.size() - volume, rule.boundary.size() - boundary,
                             rule.interfaces.size() - interfaces, fraction});
   }

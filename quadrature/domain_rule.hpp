@@ -14,6 +14,10 @@ struct QuadratureOptions {
   /// Whether the report says how far volume and boundary are from those of a rule of lower order:
   /// an upper bound of their errors in practice, at half of the cost of cut cells again.
   bool compare_orders = true;
+  /// Whether cut cells keep at most cut_points^d of their points, with weights that are exact for
+  /// polynomials of total degree `compressed_degree` (see `compress`). Cells that interfaces or
+  /// breakpoints split keep all. Off: it costs more than assembly gains (docs/quadrature.md).
+  bool compress_cut_cells = false;
   /// Where integrands are not smooth, beside the breakpoints of the primitives themselves.
   Breakpoints breakpoints;
   SubdivisionOptions subdivision;
