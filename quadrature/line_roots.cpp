@@ -64,8 +64,11 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line) {
   Crossing crossing;
   crossing.starts_positive = value_low >= 0;
   crossing.exists = crossing.starts_positive != (value_high >= 0);
+  constexpr double rounding = 1e-11;
+  const double size_low = std::fabs(value_low), size_high = std::fabs(value_high);
+  crossing.at_end = size_low <= rounding * size_high || size_high <= rounding * size_low;
   if (!crossing.exists) {
-    crossing.position = std::fabs(value_low) < std::fabs(value_high) ? line.low : line.high;
+    crossing.position = size_low < size_high ? line.low : line.high;
     return crossing;
   }
   const double length = line.high - line.low;
@@ -88,6 +91,7 @@ LineRoots find_line_roots(const ActiveSet& active, SurfaceSigns parallel, const 
     }
     const Crossing crossing = find_crossing(*active.surfaces[surface], line);
     if (crossing.starts_positive) roots.start |= 1u << surface;
+    roots.at_end |= crossing.at_end;
     if (!crossing.exists) continue;
     int place = roots.count++;
     for (; place > 0 && roots.positions[place - 1] > crossing.position; --place) {

@@ -25,6 +25,8 @@ struct Crossing {
   bool exists = false;
   /// Sign at the low end.
   bool starts_positive = false;
+  /// The surface passes an end of the segment within rounding: on which side of it is chance.
+  bool at_end = false;
 };
 Crossing find_crossing(const Surface& surface, const LineSegment& line);
 
@@ -32,6 +34,8 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line);
 struct LineRoots {
   int count = 0;
   SurfaceSigns start = 0;
+  /// Some surface passes an end of the segment within rounding.
+  bool at_end = false;
   /// The first `count` have meaning.
   std::array<double, ActiveSet::capacity> positions;
   std::array<int, ActiveSet::capacity> surfaces;

@@ -25,8 +25,8 @@ void add_interval(std::vector<SmoothInterval>& intervals, const SmoothInterval& 
   if (!intervals.empty()) {
     SmoothInterval& last = intervals.back();
     const double from = last.high.position, to = next.low.position;
-    if (last.signature == next.signature && to - from <= negligible &&
-        !stands_between(from - negligible, to + negligible)) {
+    if (next.signature != SmoothInterval::unknown && last.signature == next.signature &&
+        to - from <= negligible && !stands_between(from - negligible, to + negligible)) {
       last.high = next.high;
       return;
     }
@@ -65,7 +65,12 @@ const std::vector<SmoothInterval>& SmoothIntervals::with_signatures(const Reduct
           extend(signature, from.surface);
           extend(signature, to.surface);
         },
-        [](const LineCrossing&) {});
+        // A face on the side of a box bounds no part of a line that has a length.
+        [&](const LineCrossing& crossing) {
+          if (signature == nothing_inside) signature = something_inside;
+          extend(signature, crossing.surface);
+        });
+    if (roots.at_end) signature = SmoothInterval::unknown;
     if (signature == nothing_inside) continue;
     interval.signature = signature;
     add_interval(plane_, interval, reduction.negligible_width(), [&](double from, double to) {
@@ -79,6 +84,7 @@ const std::vector<SmoothInterval>& SmoothIntervals::with_signatures(const Reduct
 SmoothIntervals::Signature SmoothIntervals::section_signature(const Reduction2D& section) {
   Signature signature = nothing_inside;
   for (const SmoothInterval& interval : with_signatures(section)) {
+    if (interval.signature == SmoothInterval::unknown) return SmoothInterval::unknown;
     if (signature == nothing_inside) signature = something_inside;
     extend(signature, interval.low.cause);
     extend(signature, interval.high.cause);
@@ -87,6 +93,7 @@ SmoothIntervals::Signature SmoothIntervals::section_signature(const Reduction2D&
   for (const Wall& wall : section.walls()) {
     const LineSegment line = section.line(wall.position);
     const LineRoots roots = find_line_roots(section.active(), section.vertical(), line);
+    if (roots.at_end) return SmoothInterval::unknown;
     walk_wall(section.active(), roots, section.vertical(), line, wall.left, wall.right,
               [&](const WallPart& part) {
                 if (signature == nothing_inside) signature = something_inside;

@@ -9,8 +9,9 @@ namespace rfm {
 /// An interval of a base or outer axis over which integrals along lines (over sections) are smooth.
 struct SmoothInterval {
   Reduction2D::Breakpoint low, high;
-  /// Names the surfaces that bound what is inside; 0 if this was not needed.
-  std::uint64_t signature = 0;
+  /// Names the surfaces that bound what is inside; `unknown` if this was not asked or is left open.
+  std::uint64_t signature = unknown;
+  static constexpr std::uint64_t unknown = 0;
 
   double length() const { return high.position - low.position; }
   double at(double t) const { return low.position + length() * t; }
@@ -23,7 +24,8 @@ struct SmoothInterval {
 /// of lines keep the surfaces that bound them, the integral along lines is analytic, because each
 /// of these surfaces is a graph on both sides; such neighbours are one interval. Intervals over
 /// which nothing is inside are left out. In a cell where many surfaces cross this saves most of the
-/// points.
+/// points. Where a surface lies on a side of the box up to rounding intervals stay as they are: the
+/// boxes on both sides then see it at the same places, and it is counted once.
 class SmoothIntervals {
  public:
   /// The intervals of the base axis; the reference is valid until the next call.
