@@ -84,7 +84,8 @@ bool isolate_level(const Plane& plane, const PlaneGraph& graph, double level,
     side.high[plane.base] = to;
     return function.bounds(side).gradient[plane.base];
   };
-  const auto& gradient = graph.bounds->gradient;
+  // From the side alone: the boxes on both sides of it find the same places.
+  const auto& gradient = on_side.gradient;
   const double zero = 1e-14 * (gradient[plane.base].magnitude() * plane.base_length() +
                                gradient[plane.height].magnitude() * plane.height_length());
   IsolationBudget budget;
