@@ -57,6 +57,33 @@ Interval range_everywhere(const Field& field, int dimension) {
           std::isnan(range.high) ? INFINITY : range.high};
 }
 
+// A normal turned by 90° has a component of 1e-16 where 0 is meant, and a face that lies on a grid
+// line but for that is a graph over neither axis within it, on this side of the line or the other
+// by chance. Turned by less than the rounding of its own coefficients such a face is parallel to an
+// axis, and so is a cylinder.
+Quadric without_residues(Quadric quadric) {
+  constexpr double residue = 0x1p-51;
+  double most_square = 0, most_linear = 0;
+  for (const double a : quadric.square) most_square = std::max(most_square, std::fabs(a));
+  for (const double b : quadric.linear) most_linear = std::max(most_linear, std::fabs(b));
+  const auto square = [&](int i, int j) -> double& {
+    return quadric.square[Quadric::square_index(i, j)];
+  };
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 3; ++j)
+      if (std::fabs(square(i, j)) <=
+          residue * std::max(std::fabs(square(i, i)), std::fabs(square(j, j))))
+        square(i, j) = 0;
+  // The gradient where the quadric vanishes.
+  const double slope = std::max(most_linear, std::sqrt(most_square * std::fabs(quadric.constant)));
+  for (int i = 0; i < 3; ++i) {
+    if (std::fabs(square(i, i)) <= residue * residue * most_square) square(i, i) = 0;
+    const bool alone = square(i, 0) == 0 && square(i, 1) == 0 && square(i, 2) == 0;
+    if (alone && std::fabs(quadric.linear[i]) <= residue * slope) quadric.linear[i] = 0;
+  }
+  return quadric;
+}
+
 }  // namespace
 
 LevelFunction::LevelFunction(const Field& field, int dimension)
@@ -64,7 +91,7 @@ LevelFunction::LevelFunction(const Field& field, int dimension)
       range_(range_everywhere(field, dimension)),
       breakpoints_(collect_breakpoints(field, dimension)) {
   if (const auto quadric = as_quadric(field, dimension)) {
-    quadric_.emplace(*quadric);
+    quadric_.emplace(without_residues(*quadric));
     return;
   }
   if (auto program = PointProgram::compiled(field, dimension))
