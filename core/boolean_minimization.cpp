@@ -16,6 +16,11 @@ bool covers_any(const Cube& product, std::span<const Cube> points) {
   return std::ranges::any_of(points, [&](const Cube& point) { return covers(product, point); });
 }
 
+bool covers_any_strictly(const Cube& product, std::span<const Cube> points) {
+  return std::ranges::any_of(points,
+                             [&](const Cube& point) { return covers_strictly(product, point); });
+}
+
 int literal_count(const Cube& product) {
   return static_cast<int>(
       std::ranges::count_if(product, [](Truth literal) { return literal != Truth::unknown; }));
@@ -53,7 +58,7 @@ std::vector<Cube> primes(std::span<const Cube> on, std::span<const Cube> off) {
       literal = static_cast<Truth>(static_cast<int>(rest % 3) - 1);
       rest /= 3;
     }
-    if (covers_any(product, off) || !covers_any(product, on)) continue;
+    if (covers_any(product, off) || !covers_any_strictly(product, on)) continue;
     if (expanded(product, 0, off) == product) found.insert(product);
   }
   return {found.begin(), found.end()};
@@ -67,7 +72,7 @@ class CoverSearch {
       : products_(products), covering_(points.size()) {
     for (std::size_t p = 0; p < points.size(); ++p)
       for (std::size_t c = 0; c < products.size(); ++c)
-        if (covers(products[c], points[p])) covering_[p].push_back(static_cast<int>(c));
+        if (covers_strictly(products[c], points[p])) covering_[p].push_back(static_cast<int>(c));
   }
 
   std::vector<Cube> run() {
@@ -179,6 +184,12 @@ BooleanExpression sum_of_products(std::span<const Cube> cubes) {
 bool covers(const Cube& product, const Cube& signs) {
   for (std::size_t v = 0; v < product.size(); ++v)
     if (static_cast<int>(product[v]) * static_cast<int>(signs[v]) < 0) return false;
+  return true;
+}
+
+bool covers_strictly(const Cube& product, const Cube& signs) {
+  for (std::size_t v = 0; v < product.size(); ++v)
+    if (product[v] != Truth::unknown && product[v] != signs[v]) return false;
   return true;
 }
 

@@ -25,6 +25,14 @@ Region Region::named(const std::string& name) const {
   return region;
 }
 
+Region Region::with_expression(BooleanExpression expression) const {
+  if (expression.variable_count() > static_cast<int>(primitives_.size()))
+    throw InvalidArgument("an expression of " + std::to_string(expression.variable_count()) +
+                          " variables for a region of " + std::to_string(primitives_.size()) +
+                          " primitives");
+  return Region(dimension_, primitives_, std::move(expression));
+}
+
 template <class Operator>
 Region Region::combined(const Region& a, const Region& b, Operator&& combine) {
   if (a.dimension_ != b.dimension_)

@@ -38,6 +38,9 @@ class Region {
   /// The region with its primitives named after `name`: a primitive without a name gets `name`,
   /// a side `left` becomes `name.left`.
   Region named(const std::string& name) const;
+  /// The same primitives, combined otherwise. Throws `InvalidArgument` if the expression has more
+  /// variables than there are primitives.
+  Region with_expression(BooleanExpression expression) const;
 
   friend Region operator&(const Region& a, const Region& b);
   friend Region operator|(const Region& a, const Region& b);

@@ -83,6 +83,14 @@ Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvalu
   return result;
 }
 
+// Whether the whole boundary is prescribed piece by piece.
+bool prescribe_all(const std::vector<PieceCondition>& pieces, const Primitives& bounding) {
+  Primitives whole;
+  for (const PieceCondition& piece : pieces)
+    if (!piece.where) whole.insert(piece.primitive);
+  return whole == bounding;
+}
+
 // γ / √(1 + (γ/L)²): keeps zeros and slopes of 1 there, and levels off at L.
 Field levelled(const Field& gamma, double length) {
   return gamma / sqrt(1.0 + gamma * gamma / (length * length));
@@ -152,8 +160,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const RegionEvaluator& region, const Box& bounds,
-                             const WeightOptions& options,
-                             const std::vector<bool>& data_is_regular) {
+                             const WeightOptions& options, const std::vector<bool>& data_is_regular,
+                             const std::optional<BooleanExpression>& regular_form) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
   Primitives bounding, candidates;
@@ -184,7 +192,15 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
              : "it shares a corner of the boundary's expression with another kind of condition"));
   }
   if (plan.by_structure.empty()) return plan;
-  plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, options);
+  if (regular_form && prescribe_all(plan.by_structure, bounding)) {
+    plan.weight = weight(*regular_form, region, bounds, options);
+    plan.remarks.emplace_back(
+        "omega is made of an equal, shorter expression of the domain: shapes that share sides "
+        "would make it rough, or zero inside");
+    plan.uses_regular_form = true;
+  } else {
+    plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, options);
+  }
   // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
   std::vector<std::vector<PieceCondition>> groups;
   for (const PieceCondition& piece : plan.by_structure) {

@@ -44,16 +44,19 @@ struct DirichletPlan {
   std::vector<PieceCondition> weakly;
   /// One line for each condition that is enforced weakly without having asked for it.
   std::vector<std::string> remarks;
+  /// ω is made of another expression of the domain, which has no zeros inside.
+  bool uses_regular_form = false;
 };
 
 /// Divides the value conditions. By structure: whole pieces whose conjunct of the domain's
 /// expression is prescribed on all its pieces; weakly: parts of pieces (the structure loses order
 /// at their ends: u/ω is singular there), pieces of a conjunct prescribed in part, data that are
 /// undefined somewhere in the domain, and what the file asks for. `enforce: structure` forces the
-/// rest, by trimmed functions.
+/// rest, by trimmed functions. Where the whole boundary is prescribed by structure, ω is that of
+/// `regular_form` if there is one (core/regular_form.hpp).
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const RegionEvaluator& region, const Box& bounds,
-                             const WeightOptions& options,
-                             const std::vector<bool>& data_is_regular);
+                             const WeightOptions& options, const std::vector<bool>& data_is_regular,
+                             const std::optional<BooleanExpression>& regular_form = {});
 
 }  // namespace rfm

@@ -41,7 +41,7 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   // A zero inside matters to a weight only.
   for (const Irregularity& irregularity : problem.irregularities())
     if (irregularity.kind == Irregularity::Kind::dangling ||
-        !problem.dirichlet().by_structure.empty())
+        !(problem.dirichlet().by_structure.empty() || problem.dirichlet().uses_regular_form))
       log.line("note: {}", describe(irregularity, problem.region()));
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes the level of u; its mean is set to zero");

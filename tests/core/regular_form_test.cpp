@@ -1,0 +1,64 @@
+#include "core/regular_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/bounding_box.hpp"
+#include "core/evaluate.hpp"
+#include "core/primitives.hpp"
+#include "core/weight.hpp"
+
+namespace rfm {
+namespace {
+
+std::optional<BooleanExpression> form_of(const Region& region) {
+  const RegionEvaluator evaluator(region);
+  return regular_form(evaluator, bounding_box(evaluator));
+}
+
+TEST(RegularForm, OfSquaresThatShareASideIsARectangle) {
+  const Region two = box({0, 0}, {1, 1}).named("west") | box({1, 0}, {2, 1}).named("east");
+  const auto form = form_of(two);
+  ASSERT_TRUE(form);
+  const RegionEvaluator evaluator(two);
+  const Weight omega = weight(*form, evaluator, bounding_box(evaluator));
+  // x (2 − x) y (1 − y), by either of the two sides that are flush.
+  EXPECT_NEAR(value_at(omega.function, {1, 0.5}), 0.25, 1e-15);
+  EXPECT_NEAR(value_at(omega.function, {0.3, 0.2}), 0.3 * 1.7 * 0.2 * 0.8, 1e-15);
+}
+
+TEST(RegularForm, OfBoxesWithFlushSidesUsesEachSideOnce) {
+  const Region ell = box({0, 0}, {2, 1}).named("flat") | box({0, 0}, {1, 2}).named("upright");
+  const auto form = form_of(ell);
+  ASSERT_TRUE(form);
+  int literals = 0;
+  for (const auto& node : form->nodes())
+    literals += node.kind == BooleanExpression::Kind::variable ? 1 : 0;
+  EXPECT_EQ(literals, 6);  // four sides, and a sum of the two at the reentrant corner
+}
+
+TEST(RegularForm, IsNotLookedForWithoutNeedNorFoundWhereThereIsNone) {
+  EXPECT_FALSE(form_of(circle({0, 0}, 1).named("a") | circle({1, 0}, 1).named("b")));
+  EXPECT_FALSE(form_of(box({0, 0}, {1, 1}).named("a")));
+  Region disks = circle({1, 0}, 1).named("d0");
+  for (int k = 1; k < 3; ++k) {
+    const double t = 2 * std::numbers::pi * k / 3;
+    disks = disks | circle({std::cos(t), std::sin(t)}, 1).named("d" + std::to_string(k));
+  }
+  EXPECT_FALSE(form_of(disks));
+}
+
+TEST(SameSolid, TellsSetsApart) {
+  const Region pair = circle({0, 0}, 1).named("a") | circle({1.5, 0}, 0.5).named("b");
+  const RegionEvaluator evaluator(pair);
+  const Box bounds = bounding_box(evaluator);
+  const auto a = BooleanExpression::variable(0), b = BooleanExpression::variable(1);
+  EXPECT_TRUE(same_solid(a | b, b | (a & b) | a, evaluator, bounds));
+  EXPECT_TRUE(same_solid(a & b, a & b & b, evaluator, bounds));
+  EXPECT_FALSE(same_solid(a | b, a, evaluator, bounds));
+  EXPECT_FALSE(same_solid(a | b, a ^ !b, evaluator, bounds));
+}
+
+}  // namespace
+}  // namespace rfm
