@@ -111,6 +111,27 @@ void reduce(int dimension, int degree, const std::vector<Point>& all, std::vecto
   weights.resize(left);
 }
 
+// Takes out what rounding has added to the moments on the way, where weights stay positive.
+void refine(int dimension, int degree, const std::vector<Point>& all,
+            std::span<const double> all_weights, const std::vector<int>& kept,
+            std::vector<double>& weights) {
+  constexpr std::size_t batch = 256;
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(polynomial_count(degree, dimension));
+  for (std::size_t i = 0; i < all.size(); i += batch) {
+    const std::size_t size = std::min(batch, all.size() - i);
+    const std::vector<Point> part(all.begin() + i, all.begin() + i + size);
+    missing += polynomials(dimension, degree, part).transpose() *
+               Eigen::Map<const Eigen::VectorXd>(all_weights.data() + i, size);
+  }
+  std::vector<Point> points;
+  for (const int i : kept) points.push_back(all[i]);
+  const Eigen::MatrixXd moments = polynomials(dimension, degree, points).transpose();
+  Eigen::Map<Eigen::VectorXd> own(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  missing -= moments * own;
+  const Eigen::VectorXd refined = own + moments.completeOrthogonalDecomposition().solve(missing);
+  if (refined.minCoeff() > 0) own = refined;
+}
+
 }  // namespace
 
 int compressed_degree(int points, int dimension) {
@@ -136,6 +157,8 @@ void compress(int dimension, int degree, int begin, VolumePoints& points) {
     }
     reduce(dimension, degree, all, kept, weights);
   }
+  const std::span all_weights(points.weights.data() + begin, all.size());
+  refine(dimension, degree, all, all_weights, kept, weights);
   for (std::size_t i = 0; i < kept.size(); ++i) {
     for (int axis = 0; axis < dimension; ++axis)
       points.coordinates[axis][begin + i] = points.coordinates[axis][begin + kept[i]];

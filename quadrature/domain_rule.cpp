@@ -108,6 +108,9 @@ class DomainRuleBuilder {
     // Throw for numbers out of range before work starts.
     gauss_legendre(options.inside_points);
     gauss_legendre(options.cut_points);
+    for (const Grading& grading : options.gradings) check(grading);
+    for (int axis = 0; axis < grid.dimension(); ++axis)
+      spacing_ = std::max(spacing_, grid.spacing(axis));
   }
 
   DomainRule run() {
@@ -129,7 +132,7 @@ class DomainRuleBuilder {
 
  private:
   // A cell with points of its own; `cut_cell` counts the cut cells of the classification, and is −1
-  // for a cell inside that is split at breakpoints.
+  // for a cell inside that is split at breakpoints or graded.
   struct Task {
     int cell;
     int cut_cell;
@@ -146,13 +149,29 @@ class DomainRuleBuilder {
 
   void list_tasks() {
     int next_cut = 0;
-    const bool any = std::ranges::any_of(breakpoints_, [](const auto& b) { return !b.empty(); });
+    const bool any = !options_.gradings.empty() ||
+                     std::ranges::any_of(breakpoints_, [](const auto& b) { return !b.empty(); });
     const int cells = rule_.grid_.cell_count();
     for (int cell = 0; cell < cells; ++cell) {
       if (rule_.states_[cell] == CellState::cut) tasks_.push_back({cell, next_cut++});
       if (any && rule_.states_[cell] == CellState::inside &&
-          is_split(rule_.grid_.cell(rule_.grid_.position(cell)), breakpoints_))
+          is_split_cell(rule_.grid_.cell(rule_.grid_.position(cell))))
         tasks_.push_back({cell, -1});
+    }
+  }
+
+  // At breakpoints or by gradings.
+  bool is_split_cell(const Box& cell) const {
+    return is_split(cell, breakpoints_) || is_graded(cell, options_.gradings, spacing_);
+  }
+
+  void drop_singular_points(CellRule& rule, int volume, int boundary) const {
+    for (const Grading& grading : options_.gradings) {
+      const auto singular = [&](const auto& points) {
+        return [&](int i) { return lies_on(grading, rule_.dimension(), points.point(i)); };
+      };
+      rule.volume.erase_if(volume, singular(rule.volume));
+      rule.boundary.erase_if(boundary, singular(rule.boundary));
     }
   }
 
@@ -164,12 +183,17 @@ class DomainRuleBuilder {
     const Box cell = rule_.grid_.cell(position);
     const Box whole = quadrature_cell(rule_.grid_, position);
     bool is_full = false;
-    const auto add = [&](const Box& box, const ActiveSet& active) {
+    const auto add_part = [&](const Box& box, const ActiveSet& active) {
       rule.is_full = false;
       add_cell_rule(box, active,
                     {options_.cut_points, options_.compare_orders, options_.inside_points},
                     subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
+    };
+    const auto add = [&](const Box& box, const ActiveSet& active) {
+      if (options_.gradings.empty()) return add_part(box, active);
+      visit_graded_parts(box, options_.gradings, spacing_,
+                         [&](const Box& part) { add_part(part, active); });
     };
     if (task.cut_cell < 0) {
       surfaces_.visit_inside_cell(cell, breakpoints_, add);
@@ -177,10 +201,11 @@ class DomainRuleBuilder {
       rule.uncertified +=
           surfaces_.visit_cut_cell(classification_, task.cut_cell, whole, breakpoints_, add);
     }
+    drop_singular_points(rule, volume, boundary);
     CompensatedSum measure;
     for (int i = volume; i < rule.volume.size(); ++i) measure.add(rule.volume.weights[i]);
     const double fraction = measure.value() / cell.measure();
-    const bool split = is_split(cell, breakpoints_) || rule.interfaces.size() > interfaces;
+    const bool split = is_split_cell(cell) || rule.interfaces.size() > interfaces;
     // A cell that is full up to rounding, as at a face on its side, is inside.
     constexpr double rounding = 1e-14;
     CellState state = CellState::cut;
@@ -266,6 +291,7 @@ class DomainRuleBuilder {
   CellClassification classification_;
   CellSurfaces surfaces_;
   Breakpoints breakpoints_;
+  double spacing_ = 0;  // the longest side of a cell
   DomainRule rule_;
   std::vector<Task> tasks_;
 };

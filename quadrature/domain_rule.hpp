@@ -2,6 +2,7 @@
 
 #include "quadrature/cell_surfaces.hpp"
 #include "quadrature/cut_cell.hpp"
+#include "quadrature/grading.hpp"
 
 namespace rfm {
 
@@ -15,11 +16,14 @@ struct QuadratureOptions {
   /// an upper bound of their errors in practice, at half of the cost of cut cells again.
   bool compare_orders = true;
   /// Whether cut cells keep at most cut_points^d of their points, with weights that are exact for
-  /// polynomials of total degree `compressed_degree` (see `compress`). Cells that interfaces or
-  /// breakpoints split keep all. Off: it costs more than assembly gains (docs/quadrature.md).
+  /// polynomials of total degree `compressed_degree` (see `compress`). Cells that interfaces,
+  /// breakpoints or gradings split keep all. Off: it costs more than assembly gains
+  /// (docs/quadrature.md).
   bool compress_cut_cells = false;
   /// Where integrands are not smooth, beside the breakpoints of the primitives themselves.
   Breakpoints breakpoints;
+  /// Points and segments where integrands are singular: rules are graded towards them.
+  std::vector<Grading> gradings;
   SubdivisionOptions subdivision;
 };
 
@@ -67,7 +71,7 @@ class DomainRule {
   const Grid& grid() const { return grid_; }
   int dimension() const { return grid_.dimension(); }
   /// `cut` says that the cell has points of its own: it meets the boundary or an interface, or is
-  /// split at breakpoints. Cells that the boundary only touches are inside or outside.
+  /// split at breakpoints or graded. Cells that the boundary only touches are inside or outside.
   CellState state(int cell) const { return states_[cell]; }
 
   const std::vector<int>& inside_cells() const { return inside_cells_; }
@@ -108,8 +112,7 @@ class DomainRule {
 /// (surfaces) across which integrands jump: every volume point of a cut cell lies clearly on one
 /// side, and pieces of the boundary are split there too. Parallel over cut cells. The error is
 /// O(h^(2·cut_points)) in cut cells where primitives are smooth (see `add_cell_rule`). Throws
-/// `InvalidArgument` when region and grid differ in dimension or a number of points is out of
-/// range.
+/// `InvalidArgument` when region and grid differ in dimension or an option is out of range.
 DomainRule make_domain_rule(const RegionEvaluator& region, const Grid& grid,
                             const QuadratureOptions& options = {},
                             std::span<const LevelFunction> interfaces = {});

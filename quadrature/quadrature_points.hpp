@@ -21,6 +21,9 @@ struct VolumePoints {
   void append(const VolumePoints& other);
   void clear();
   void resize(int size);
+  /// Drops the points from `begin` on for which `drop(i)`; the order stays.
+  template <class Drop>
+  void erase_if(int begin, Drop&& drop);
 };
 
 /// Points on pieces of the boundary or on interfaces.
@@ -39,6 +42,40 @@ struct SurfacePoints {
   void append(const SurfacePoints& other);
   void clear();
   void reserve(int dimension, int size);
+  /// Drops the points from `begin` on for which `drop(i)`; the order stays.
+  template <class Drop>
+  void erase_if(int begin, Drop&& drop);
 };
+
+/// Drops positions from `begin` on of arrays side by side, of which some may be empty.
+template <class Drop, class... Arrays>
+void erase_positions_if(int begin, int size, Drop&& drop, Arrays&... arrays) {
+  int kept = begin;
+  for (int i = begin; i < size; ++i) {
+    if (drop(i)) continue;
+    const auto move = [&](auto& array) {
+      if (!array.empty()) array[kept] = array[i];
+    };
+    (move(arrays), ...);
+    ++kept;
+  }
+  const auto cut = [&](auto& array) {
+    if (!array.empty()) array.resize(kept);
+  };
+  (cut(arrays), ...);
+}
+
+template <class Drop>
+void VolumePoints::erase_if(int begin, Drop&& drop) {
+  auto& [x, y, z] = coordinates;
+  erase_positions_if(begin, size(), drop, x, y, z, weights);
+}
+
+template <class Drop>
+void SurfacePoints::erase_if(int begin, Drop&& drop) {
+  auto& [x, y, z] = coordinates;
+  auto& [nx, ny, nz] = normals;
+  erase_positions_if(begin, size(), drop, x, y, z, nx, ny, nz, weights, numbers);
+}
 
 }  // namespace rfm
