@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "problems/distance_quality.hpp"
 #include "problems/pictures/check_picture.hpp"
 #include "problems/reader.hpp"
 #include "problems/result_folder.hpp"
@@ -88,6 +89,10 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),
              condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));
+  std::string qualities;
+  for (const auto& [name, deviation] : distance_quality(scalar, rule))
+    qualities += fmt::format("{}{} {:.1e}", qualities.empty() ? "" : ", ", name, deviation);
+  log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}", qualities);
   if (!scalar.dirichlet().by_structure.empty()) {
     log.line("structure: u = g + omega psi, omega = {}", scalar.dirichlet().weight.formula);
     for (const WeightPart& part : scalar.dirichlet().weight.parts)

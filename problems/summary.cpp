@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "problems/distance_quality.hpp"
 #include "quadrature/edges.hpp"
 #include "quadrature/vertices.hpp"
 
@@ -108,6 +109,8 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     measures["boundary"][problem.region().region().primitives()[k]->name] =
         solution.rule.boundary_measure(k);
   add_corners(measures, problem);
+  for (const auto& [name, deviation] : distance_quality(problem, solution.rule))
+    summary["distance_quality"][name] = deviation;
   summary["energy"] = solution.energy;
   summary["boundary_residual"] = solution.boundary_residual;
   if (report.errors) summary["errors"]["u"] = as_json(*report.errors);
