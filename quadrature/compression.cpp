@@ -101,14 +101,22 @@ void reduce(int dimension, int degree, const std::vector<Point>& all, std::vecto
   null.applyOnTheLeft(qr.householderQ());
   Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
   eliminate(null, moved);
-  int left = 0;
-  for (int i = 0; i < count; ++i) {
-    if (!(moved[i] > 0)) continue;
-    kept[left] = kept[i];
-    weights[left++] = moved[i];
+  const Eigen::VectorXd moments =
+      values.transpose() * Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
+  std::vector<int> rows;
+  for (int i = 0; i < count; ++i)
+    if (moved[i] > 0) rows.push_back(i);
+  // Small pivots lose digits of the moments: the least change of the weights that mends them.
+  const Eigen::MatrixXd left = values(rows, Eigen::all).transpose();
+  const Eigen::VectorXd found = moved(rows);
+  const Eigen::VectorXd mended = found + left.colPivHouseholderQr().solve(moments - left * found);
+  const bool positive = mended.minCoeff() > 0;
+  weights.resize(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    kept[i] = kept[rows[i]];
+    weights[i] = positive ? mended[i] : found[i];
   }
-  kept.resize(left);
-  weights.resize(left);
+  kept.resize(rows.size());
 }
 
 // Takes out what rounding has added to the moments on the way, where weights stay positive.
