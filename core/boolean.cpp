@@ -181,8 +181,7 @@ class NodeList {
 
 }  // namespace
 
-template <class Known>
-BooleanExpression BooleanExpression::with_known(const Known& known) const {
+BooleanExpression BooleanExpression::restricted(int number, bool value) const {
   NodeList list;
   std::vector<int> place;
   for (const Node& node : nodes_) {
@@ -190,12 +189,10 @@ BooleanExpression BooleanExpression::with_known(const Known& known) const {
       case Kind::constant:
         place.push_back(list.add(node));
         break;
-      case Kind::variable: {
-        const Truth sign = known(node.first);
+      case Kind::variable:
         place.push_back(
-            list.add(sign == Truth::unknown ? node : Node{Kind::constant, sign == Truth::yes, 0}));
+            list.add(node.first == number ? Node{Kind::constant, value ? 1 : 0, 0} : node));
         break;
-      }
       case Kind::negation:
         place.push_back(list.negation_of(place[node.first]));
         break;
@@ -204,25 +201,6 @@ BooleanExpression BooleanExpression::with_known(const Known& known) const {
     }
   }
   return list.expression(place.back());
-}
-
-BooleanExpression BooleanExpression::restricted(int number, bool value) const {
-  return with_known([&](int v) {
-    return v != number ? Truth::unknown : value ? Truth::yes : Truth::no;
-  });
-}
-
-BooleanExpression BooleanExpression::restricted(std::span<const Truth> signs) const {
-  return with_known([&](int v) { return signs[v]; });
-}
-
-std::vector<int> BooleanExpression::variables() const {
-  std::vector<int> list;
-  for (const Node& node : nodes_)
-    if (node.kind == Kind::variable) list.push_back(node.first);
-  std::ranges::sort(list);
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
 }
 
 BooleanExpression BooleanExpression::renamed(std::span<const int> new_number) const {

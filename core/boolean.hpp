@@ -38,10 +38,6 @@ class BooleanExpression {
 
   /// The expression with `number` replaced by a constant, constants propagated.
   BooleanExpression restricted(int number, bool value) const;
-  /// The same for all variables v with a known sign `signs[v]`.
-  BooleanExpression restricted(std::span<const Truth> signs) const;
-  /// The variables that occur, ascending.
-  std::vector<int> variables() const;
   /// The same expression with variable v renamed to `new_number[v]`.
   BooleanExpression renamed(std::span<const int> new_number) const;
   /// Negations pushed down to the variables (De Morgan).
@@ -54,8 +50,6 @@ class BooleanExpression {
   friend BooleanExpression operator&(const BooleanExpression&, const BooleanExpression&);
   friend BooleanExpression operator|(const BooleanExpression&, const BooleanExpression&);
   friend BooleanExpression operator!(const BooleanExpression&);
-  template <class Known>
-  BooleanExpression with_known(const Known& known) const;
   static BooleanExpression join(Kind kind, const BooleanExpression& a, const BooleanExpression& b);
   std::vector<Node> nodes_;
 };

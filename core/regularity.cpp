@@ -19,8 +19,7 @@ class IrregularitySearch {
   IrregularitySearch(const RegionEvaluator& region, const Box& bounds)
       : region_(region),
         bounds_(bounds),
-        smallest_((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side()),
-        signs_(region.primitive_count(), Truth::unknown) {}
+        smallest_((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side()) {}
 
   std::vector<Irregularity> run() {
     Box start = bounds_;  // enlarged, so that what lies on its sides is inside
@@ -28,18 +27,17 @@ class IrregularitySearch {
       start.low[axis] -= 1.3e-3 * bounds_.longest_side();
       start.high[axis] += 1.7e-3 * bounds_.longest_side();
     }
-    std::vector<Part> pending{{start, region_.region().expression()}};
+    std::vector<Box> pending{start};
     while (!pending.empty()) {
-      const Part part = std::move(pending.back());
+      const Box box = pending.back();
       pending.pop_back();
-      const BooleanExpression open = undecided(part);
-      if (open.nodes().back().kind == BooleanExpression::Kind::constant) continue;
-      if (part.box.longest_side() <= smallest_) {
-        look_at(part.box, open);
+      const std::vector<int> open = undecided(box);
+      if (open.empty()) continue;
+      if (box.longest_side() <= smallest_) {
+        look_at(box, open);
         continue;
       }
-      for (const Box& half : bisect(part.box, part.box.longest_axis()))
-        pending.push_back({half, open});
+      for (const Box& half : bisect(box, box.longest_axis())) pending.push_back(half);
     }
     std::vector<Irregularity> list;
     for (const auto& [key, points] : found_) list.push_back(gathered(key, points));
@@ -53,72 +51,72 @@ class IrregularitySearch {
  private:
   using Key = std::pair<Irregularity::Kind, std::vector<int>>;
 
-  /// A box, and Φ with the signs that are proved in it.
-  struct Part {
-    Box box;
-    BooleanExpression expression;
-  };
-
-  // Φ with what is proved in a part; constant where that is all, or where the rest depends on one
-  // primitive that changes its sign.
-  BooleanExpression undecided(const Part& part) {
-    const std::vector<int> open = part.expression.variables();
-    const auto sign = [](const Interval& range) {
-      return range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
-    };
-    for (const int k : open) {
-      signs_[k] = sign(region_.level(k).value_bounds(part.box));
-      if (signs_[k] == Truth::unknown) signs_[k] = sign(region_.level(k).bounds(part.box).value);
+  // The primitives on which the sign of Φ over a box may depend; none where it is proved, or
+  // depends on one primitive that changes its sign.
+  std::vector<int> undecided(const Box& box) const {
+    const BooleanExpression& whole = region_.region().expression();
+    const int count = region_.primitive_count();
+    std::vector<Truth> signs(count);
+    for (int k = 0; k < count; ++k) {
+      const Interval range = region_.level(k).value_bounds(box);
+      signs[k] = range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
     }
-    BooleanExpression rest = part.expression.restricted(signs_);
-    for (const int k : open) signs_[k] = Truth::unknown;
-    const std::vector<int> left = rest.variables();
-    if (left.size() == 1 && decides(left[0], rest)) return BooleanExpression::constant(true);
-    return rest;
+    if (whole.evaluate(signs) != Truth::unknown) return {};
+    for (int k = 0; k < count; ++k) {
+      if (signs[k] != Truth::unknown) continue;
+      const Interval range = region_.level(k).bounds(box).value;
+      signs[k] = range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
+    }
+    const auto relevant = std::make_unique<bool[]>(count);
+    whole.mark_relevant(signs, {relevant.get(), static_cast<std::size_t>(count)});
+    std::vector<int> open;
+    for (int k = 0; k < count; ++k)
+      if (relevant[k]) open.push_back(k);
+    if (open.size() == 1 && decides(open[0], signs)) open.clear();
+    return open;
   }
 
   // Whether one side of a primitive is inside and the other outside, and it has two sides.
-  bool decides(int primitive, const BooleanExpression& expression) const {
+  bool decides(int primitive, std::vector<Truth> signs) const {
     const Interval& range = region_.level(primitive).range();
     if (range.low >= 0 || range.high <= 0) return false;
-    const BooleanExpression above = expression.restricted(primitive, true);
-    return above.is_constant(true) != expression.restricted(primitive, false).is_constant(true);
+    const BooleanExpression& whole = region_.region().expression();
+    signs[primitive] = Truth::yes;
+    const Truth above = whole.evaluate(signs);
+    signs[primitive] = Truth::no;
+    return above != whole.evaluate(signs);
   }
 
-  void look_at(const Box& box, const BooleanExpression& expression) {
-    const std::vector<int> open = expression.variables();
+  void look_at(const Box& box, const std::vector<int>& open) {
     constexpr std::size_t most = 12;  // that may vanish together; more are looked at in part
     const std::size_t count = std::min(open.size(), most);
     const auto level = [&](std::size_t i) -> const LevelFunction& {
       return region_.level(open[i]);
     };
     const Point center = box.center();
-    const auto consider = [&](const std::optional<Point>& point) {
-      if (point) this->consider(*point, box, expression);
-    };
     for (std::size_t i = 0; i < count; ++i) {
-      consider(nearest_zero(level(i), center));
+      consider(nearest_zero(level(i), center), box);
       if (bounds_.dimension == 1) continue;
       for (std::size_t j = 0; j < i; ++j) {
-        consider(common_zero(level(i), level(j), center));
+        consider(common_zero(level(i), level(j), center), box);
         if (bounds_.dimension == 2) continue;
         for (std::size_t k = 0; k < j; ++k)
-          consider(common_zero(level(i), level(j), level(k), center));
+          consider(common_zero(level(i), level(j), level(k), center), box);
       }
     }
   }
 
-  void consider(const Point& point, const Box& box, const BooleanExpression& expression) {
-    const double scale = bounds_.longest_side();
+  void consider(const std::optional<Point>& point, const Box& box) {
+    if (!point) return;
     for (int axis = 0; axis < box.dimension; ++axis)
-      if (point[axis] < box.low[axis] - 1e-9 * scale || point[axis] > box.high[axis] + 1e-9 * scale)
-        return;
-    Surroundings around = surroundings(region_, expression, point, 1e-9 * scale, 1e-5 * scale);
-    if (expression.evaluate(around.signs) != Truth::unknown) return;
+      if (std::fabs((*point)[axis] - box.center()[axis]) > box.length(axis)) return;
+    const double scale = bounds_.longest_side();
+    Surroundings around = surroundings(region_, *point, 1e-9 * scale, 1e-5 * scale);
+    if (region_.region().expression().evaluate(around.signs) != Truth::unknown) return;
     if (around.any_inside && around.any_outside) return;
     const auto kind =
         around.any_inside ? Irregularity::Kind::interior_zero : Irregularity::Kind::dangling;
-    found_[{kind, std::move(around.vanishing)}].push_back(point);
+    found_[{kind, std::move(around.vanishing)}].push_back(*point);
   }
 
   // Whether `one` is an end of the line or face `other`, where further primitives vanish.
@@ -152,7 +150,6 @@ class IrregularitySearch {
   const RegionEvaluator& region_;
   const Box& bounds_;
   double smallest_;
-  std::vector<Truth> signs_;  // unknown between uses
   std::map<Key, std::vector<Point>> found_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <set>
 
@@ -89,8 +88,7 @@ class CellSampler {
     }
     const auto consider = [&](const std::optional<Point>& zero) {
       if (!is_near(zero)) return;
-      // The cells around zeros of one kind are the same as a rule.
-      if (visits_[add(*zero)] > enough) return;
+      add(*zero);
       for (const double distance : {1e-3, 1e-5})
         for (const Point& d : directions()) add(moved(*zero, d, distance * scale_));
     };
@@ -104,7 +102,7 @@ class CellSampler {
       }
   }
 
-  Cube add(const Point& point) {
+  void add(const Point& point) {
     Cube signs;
     for (const LevelFunction& level : levels_) {
       Point gradient;
@@ -113,19 +111,14 @@ class CellSampler {
       const bool zero = std::fabs(value) <= 1e-9 * scale_ * std::max(slope, 1e-9 * scale_);
       signs.push_back(zero ? Truth::unknown : value > 0 ? Truth::yes : Truth::no);
     }
-    // Every point of a cell is asked for, since a cell may lie on both sides of the boundary; of
-    // common zeros a few.
-    const bool both_seen = seen_[0].contains(signs) && seen_[1].contains(signs);
-    const bool is_zero = std::ranges::find(signs, Truth::unknown) != signs.end();
-    if (both_seen || (is_zero && ++visits_[signs] > enough)) return signs;
-    const Truth belongs = membership_(point);
-    if (belongs == Truth::unknown) return signs;
-    const bool inside = belongs == Truth::yes;
-    if (seen_[inside].insert(signs).second) samples_.push_back({point, signs, inside});
-    return signs;
+    if (!seen_[0].contains(signs) || !seen_[1].contains(signs)) {
+      const Truth belongs = membership_(point);
+      if (belongs == Truth::unknown) return;
+      const bool inside = belongs == Truth::yes;
+      if (seen_[inside].insert(signs).second) samples_.push_back({point, std::move(signs), inside});
+    }
   }
 
-  static constexpr int enough = 8;
   const Membership& membership_;
   std::vector<SetDescription::Sample>& samples_;
   int dimension_;
@@ -133,7 +126,6 @@ class CellSampler {
   Box box_;
   double scale_ = 1;
   std::array<std::set<Cube>, 2> seen_;
-  std::map<Cube, int> visits_;
 };
 
 }  // namespace

@@ -69,32 +69,20 @@ std::vector<Point> directions_in_space(const std::vector<Point>& normals) {
 
 Surroundings surroundings(const RegionEvaluator& region, const Point& point, double tolerance,
                           double reach) {
-  return surroundings(region, region.region().expression(), point, tolerance, reach);
-}
-
-Surroundings surroundings(const RegionEvaluator& region, const BooleanExpression& expression,
-                          const Point& point, double tolerance, double reach) {
   Surroundings result;
-  result.signs.assign(region.primitive_count(), Truth::unknown);
   std::vector<Point> normals;
-  for (const int k : expression.variables()) {
+  for (int k = 0; k < region.primitive_count(); ++k) {
     Point gradient;
     const double value = region.level(k).value_and_gradient(point, gradient);
     const double slope = length(gradient);
     if (std::fabs(value) > tolerance * std::max(slope, tolerance)) {
-      result.signs[k] = value > 0 ? Truth::yes : Truth::no;
+      result.signs.push_back(value > 0 ? Truth::yes : Truth::no);
       continue;
     }
+    result.signs.push_back(Truth::unknown);
     result.vanishing.push_back(k);
     if (slope > 0)
       normals.push_back({gradient[0] / slope, gradient[1] / slope, gradient[2] / slope});
-  }
-  const auto look = [&](const std::vector<Truth>& signs) {
-    (expression.evaluate(signs) == Truth::yes ? result.any_inside : result.any_outside) = true;
-  };
-  if (result.vanishing.empty()) {
-    look(result.signs);
-    return result;
   }
   const std::vector<Point> directions = region.dimension() == 1   ? directions_on_a_line()
                                         : region.dimension() == 2 ? directions_in_the_plane(normals)
@@ -105,7 +93,8 @@ Surroundings surroundings(const RegionEvaluator& region, const BooleanExpression
     for (int axis = 0; axis < region.dimension(); ++axis) beside[axis] += reach * d[axis];
     for (const int k : result.vanishing)
       signs[k] = region.level(k).value(beside) >= 0 ? Truth::yes : Truth::no;
-    look(signs);
+    (region.region().expression().evaluate(signs) == Truth::yes ? result.any_inside
+                                                                : result.any_outside) = true;
   }
   return result;
 }

@@ -20,9 +20,5 @@ struct Surroundings {
 /// of primitives that do not vanish are those at the point.
 Surroundings surroundings(const RegionEvaluator& region, const Point& point, double tolerance,
                           double reach);
-/// The same by an expression that is the region's near the point: only its primitives are looked
-/// at, and only theirs are among the `signs`.
-Surroundings surroundings(const RegionEvaluator& region, const BooleanExpression& expression,
-                          const Point& point, double tolerance, double reach);
 
 }  // namespace rfm

@@ -5,7 +5,6 @@
 
 #include "core/boolean_simplification.hpp"
 #include "core/boundary_piece.hpp"
-#include "core/regular_form.hpp"
 #include "core/tape.hpp"
 #include "core/trim.hpp"
 #include "problems/boundary_coverage.hpp"
@@ -161,8 +160,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const RegionEvaluator& region, const Box& bounds,
-                             const WeightOptions& options,
-                             const std::vector<bool>& data_is_regular) {
+                             const WeightOptions& options, const std::vector<bool>& data_is_regular,
+                             const std::optional<BooleanExpression>& regular_form) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
   Primitives bounding, candidates;
@@ -193,10 +192,8 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
              : "it shares a corner of the boundary's expression with another kind of condition"));
   }
   if (plan.by_structure.empty()) return plan;
-  std::optional<BooleanExpression> equal;
-  if (prescribe_all(plan.by_structure, bounding)) equal = regular_form(region, bounds);
-  if (equal) {
-    plan.weight = weight(*equal, region, bounds, options);
+  if (regular_form && prescribe_all(plan.by_structure, bounding)) {
+    plan.weight = weight(*regular_form, region, bounds, options);
     plan.remarks.emplace_back(
         "omega is made of an equal, shorter expression of the domain: shapes that share sides "
         "would make it rough, or zero inside");

@@ -56,7 +56,7 @@ struct DirichletPlan {
 /// `regular_form` if there is one (core/regular_form.hpp).
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const RegionEvaluator& region, const Box& bounds,
-                             const WeightOptions& options,
-                             const std::vector<bool>& data_is_regular);
+                             const WeightOptions& options, const std::vector<bool>& data_is_regular,
+                             const std::optional<BooleanExpression>& regular_form = {});
 
 }  // namespace rfm

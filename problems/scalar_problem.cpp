@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/regular_form.hpp"
 #include "problems/partial_coverage.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/stopwatch.hpp"
@@ -127,7 +128,8 @@ ScalarProblem::ScalarProblem(const Problem& problem)
         condition.kind != Condition::Kind::value || condition.data[0].is_constant() ||
         (is_regular(condition.data[0], region_, bounds_) && is_defined(condition.data[0], probe)));
   try {
-    plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular);
+    plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular,
+                           regular_form(region_, bounds_));
   } catch (const InvalidArgument& error) {  // a cap that is not positive, corners that cross inside
     refuse(error.what(), geometry_place(problem, "combine"));
   }

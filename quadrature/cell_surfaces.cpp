@@ -1,6 +1,7 @@
 #include "quadrature/cell_surfaces.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "quadrature/surface_candidates.hpp"
 
@@ -32,6 +33,14 @@ bool is_few(std::size_t primitives, std::size_t interfaces) {
          primitives + interfaces <= static_cast<std::size_t>(ActiveSet::capacity);
 }
 
+// The nodes of the graph of an expression.
+int count_operations(const Field& field, std::set<const Field::Node*>& seen) {
+  if (!seen.insert(&field.node()).second) return 0;
+  int count = 1;
+  for (const Field& argument : field.node().arguments) count += count_operations(argument, seen);
+  return count;
+}
+
 }  // namespace
 
 bool is_split(const Box& box, const Breakpoints& breakpoints) {
@@ -42,8 +51,19 @@ bool is_split(const Box& box, const Breakpoints& breakpoints) {
 
 CellSurfaces::CellSurfaces(const RegionEvaluator& region, std::span<const LevelFunction> interfaces)
     : region_(region), interface_levels_(interfaces) {
-  for (int k = 0; k < region.primitive_count(); ++k) primitives_.emplace_back(region.level(k));
-  for (const LevelFunction& level : interfaces) interfaces_.emplace_back(level);
+  for (int k = 0; k < region.primitive_count(); ++k) {
+    Surface& surface = primitives_.emplace_back(region.level(k));
+    if (region.level(k).is_quadric()) continue;
+    std::set<const Field::Node*> seen;
+    surface.set_cost(
+        WorkCost::of_operations(count_operations(region.region().primitives()[k]->level, seen)));
+  }
+  // Their expressions are not known any more.
+  constexpr int operations_of_interface = 30;
+  for (const LevelFunction& level : interfaces) {
+    Surface& surface = interfaces_.emplace_back(level);
+    if (!level.is_quadric()) surface.set_cost(WorkCost::of_operations(operations_of_interface));
+  }
 }
 
 Breakpoints CellSurfaces::breakpoints(const Breakpoints& others) const {

@@ -127,7 +127,7 @@ void add_cell_rule(const Box& box, const ActiveSet& active, const CellRuleOption
                    Subdivision& subdivision, CellRule& rule) {
   rule.measure = rule.other_measure = {};
   RuleBuilder builder(box, options, rule);
-  rule.uncertified += subdivision.run(box, active, builder);
+  rule.uncertified += subdivision.run(box, active, builder, options.share);
   if (!options.compare_orders) return;
   rule.order_difference.volume += std::fabs(rule.measure.volume - rule.other_measure.volume);
   rule.order_difference.boundary += std::fabs(rule.measure.boundary - rule.other_measure.boundary);

@@ -21,6 +21,8 @@ struct CellRuleOptions {
   /// Gauss points per axis of boxes within the cell that are inside: nothing is bent there, and
   /// what serves cells inside serves smaller boxes.
   int inside_points = 4;
+  /// The part of the budget of a cell that is for this box.
+  double share = 1;
 };
 
 /// What a cut cell contributes to a rule.

@@ -186,7 +186,8 @@ class DomainRuleBuilder {
     const auto add_part = [&](const Box& box, const ActiveSet& active) {
       rule.is_full = false;
       add_cell_rule(box, active,
-                    {options_.cut_points, options_.compare_orders, options_.inside_points},
+                    {options_.cut_points, options_.compare_orders, options_.inside_points,
+                     box.measure() / whole.measure()},
                     subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
     };

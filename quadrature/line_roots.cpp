@@ -56,6 +56,7 @@ double polished_root(const Surface& surface, const LineSegment& line, const Ends
 }  // namespace
 
 Crossing find_crossing(const Surface& surface, const LineSegment& line) {
+  work_done += surface.cost().crossing;
   Point point = line.at(line.low);
   double slope_low = 0;
   const double value_low = surface.value_and_slope(point, line.axis, slope_low);

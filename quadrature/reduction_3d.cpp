@@ -20,26 +20,27 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
     if (!find_curves(true) && !options.best_effort) return Outcome::constant_surface;
     if (!choose_inner(options)) return Outcome::not_reduced;
   }
-  set_proofs();
-  if (!accept_contacts() && !options.best_effort) return Outcome::not_reduced;
-  find_breakpoints();
+  set_proofs(options.in_haste);
+  if (!options.in_haste && !accept_contacts() && !options.best_effort) return Outcome::not_reduced;
+  find_breakpoints(options.in_haste);
   find_walls(
       standing_, box.low[outer()], box.high[outer()],
       [&](double place) { return outer_signs(place); }, walls_);
   return Outcome::reduced;
 }
 
-void Reduction3D::set_proofs() {
+void Reduction3D::set_proofs(bool in_haste) {
   for (auto& ends : proofs_.ends) ends.fill(Meeting::never);
   for (auto& row : proofs_.crossings) row.fill(Meeting::never);
   outer_only_ = 0;
   for (Curve& curve : curves_) {
     const Interval& along = curve.gradient[inner_];
-    // What does not depend on the inner coordinate is constant in a section. A best effort takes
-    // what it can get from signs.
-    curve.meeting = along.is_zero()                               ? Meeting::never
-                    : curve.is_crossing && !along.excludes_zero() ? Meeting::unknown
-                                                                  : Meeting::at_most_once;
+    // What does not depend on the inner coordinate is constant in a section.
+    // In haste crossings are left out: they would take most of
+    // the time.
+    curve.meeting = along.is_zero() || (curve.is_crossing && in_haste) ? Meeting::never
+                    : curve.is_crossing && !along.excludes_zero()      ? Meeting::unknown
+                                                                       : Meeting::at_most_once;
     curve.slope = -(curve.gradient[outer()] / along);
     if (curve.is_crossing)
       proofs_.crossings[curve.first][curve.second] = curve.meeting;
@@ -65,7 +66,7 @@ PlaneGraph Reduction3D::base_graph(const Curve& curve) const {
           curve.second == 0 ? box_.low[height_] : box_.high[height_]};
 }
 
-void Reduction3D::find_breakpoints() {
+void Reduction3D::find_breakpoints(bool in_haste) {
   breakpoints_.assign({box_.low[outer()], box_.high[outer()]});
   standing_.clear();
   found_.clear();
@@ -75,24 +76,25 @@ void Reduction3D::find_breakpoints() {
       certified_ &=
           isolate_level(base_plane(), base_graph(curve), box_.center()[inner_], standing_);
   breakpoints_.insert(breakpoints_.end(), standing_.begin(), standing_.end());
-  add_face_breakpoints(box_.low[inner_]);
-  add_face_breakpoints(box_.high[inner_]);
+  add_face_breakpoints(box_.low[inner_], in_haste);
+  add_face_breakpoints(box_.high[inner_], in_haste);
   std::ranges::sort(breakpoints_);
   // A crossing ends where traces of its surfaces meet: these come first.
   add_meetings(false);
-  add_meetings(true);
+  if (!in_haste) add_meetings(true);
 }
 
 // Where curves enter or leave through the faces of the inner axis: the breakpoints of these faces.
-void Reduction3D::add_face_breakpoints(double inner_coordinate) {
+void Reduction3D::add_face_breakpoints(double inner_coordinate, bool in_haste) {
+  const Meeting meeting = in_haste ? Meeting::at_most_once : Meeting::unknown;
   PlaneProofs proofs;
   for (auto& ends : proofs.ends) ends.fill(Meeting::never);
   for (auto& row : proofs.crossings) row.fill(Meeting::never);
   for (const Curve& curve : curves_) {
     if (curve.is_crossing)
-      proofs.crossings[curve.first][curve.second] = Meeting::unknown;
+      proofs.crossings[curve.first][curve.second] = in_haste ? Meeting::never : meeting;
     else if (!(curve.is_vertical && outer_only_ >> curve.first & 1))
-      proofs.ends[curve.first][curve.second] = Meeting::unknown;
+      proofs.ends[curve.first][curve.second] = meeting;
   }
   Box face = box_;
   face.low[inner_] = face.high[inner_] = inner_coordinate;

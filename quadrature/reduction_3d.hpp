@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "quadrature/reduction_2d.hpp"
 
 namespace rfm {
@@ -28,6 +30,8 @@ class Reduction3D {
     bool allow_contacts = false;
     /// Reduce in any case, uncertified.
     bool best_effort = false;
+    /// A best effort without a search for places where graphs cross: the budget is spent.
+    bool in_haste = false;
   };
   enum class Outcome {
     reduced,
@@ -86,11 +90,11 @@ class Reduction3D {
   bool choose_inner(const Options& options);
   bool accept_contacts();
   bool only_touch(const Curve& crossing) const;
-  void set_proofs();
-  void find_breakpoints();
-  void add_face_breakpoints(double inner_coordinate);
+  void set_proofs(bool in_haste);
+  void find_breakpoints(bool in_haste);
+  void add_face_breakpoints(double inner_coordinate, bool in_haste);
   void add_meetings(bool of_crossings);
-  void add_meetings(const Curve& a, const Curve& b);
+  void add_meetings(std::size_t first, std::size_t second);
   bool may_meet(const Curve& a, const Curve& b) const;
 
   /// Where a curve is in a section: its inner coordinate, or the end of the section nearest to it.
@@ -103,6 +107,7 @@ class Reduction3D {
     double height = 0;
   };
   CurvePoint curve_point(const Curve& curve, double outer_coordinate) const;
+  const CurvePoint& middle_point(std::size_t curve, std::size_t interval);
   CurvePoint trace_point(const Curve& trace, double outer_coordinate) const;
   CurvePoint crossing_point(const Curve& crossing, double outer_coordinate) const;
   Interval existence(int surface, double outer_coordinate) const;
@@ -128,6 +133,7 @@ class Reduction3D {
   std::array<FunctionBounds, ActiveSet::capacity> narrow_;
   PlaneProofs proofs_;
   std::vector<double> breakpoints_, standing_, found_;
+  std::vector<std::optional<CurvePoint>> middles_;
   std::vector<Wall> walls_;
   SurfaceSigns outer_only_ = 0;
   bool certified_ = true;

@@ -20,15 +20,27 @@ bool Reduction3D::may_meet(const Curve& a, const Curve& b) const {
 }
 
 void Reduction3D::add_meetings(bool of_crossings) {
+  middles_.clear();
   for (std::size_t a = 0; a < curves_.size(); ++a)
     for (std::size_t b = a + 1; b < curves_.size(); ++b)
       if ((curves_[a].is_crossing || curves_[b].is_crossing) == of_crossings &&
           may_meet(curves_[a], curves_[b]))
-        add_meetings(curves_[a], curves_[b]);
+        add_meetings(a, b);
+}
+
+// Where a curve is in the middle of an interval between breakpoints: asked for by each pair.
+const Reduction3D::CurvePoint& Reduction3D::middle_point(std::size_t curve, std::size_t interval) {
+  if (middles_.empty()) middles_.resize(curves_.size() * (breakpoints_.size() - 1));
+  std::optional<CurvePoint>& point = middles_[curve * (breakpoints_.size() - 1) + interval];
+  if (!point)
+    point =
+        curve_point(curves_[curve], 0.5 * (breakpoints_[interval] + breakpoints_[interval + 1]));
+  return *point;
 }
 
 // Between neighbouring breakpoints both curves exist throughout or one of them nowhere.
-void Reduction3D::add_meetings(const Curve& a, const Curve& b) {
+void Reduction3D::add_meetings(std::size_t first, std::size_t second) {
+  const Curve &a = curves_[first], &b = curves_[second];
   const auto difference = [&](double place, double& slope) {
     const CurvePoint p = curve_point(a, place), q = curve_point(b, place);
     slope = p.slope - q.slope;
@@ -42,10 +54,9 @@ void Reduction3D::add_meetings(const Curve& a, const Curve& b) {
   for (std::size_t k = 0; k + 1 < breakpoints_.size(); ++k) {
     const double from = breakpoints_[k], to = breakpoints_[k + 1];
     if (to - from <= negligible_width()) continue;
-    const double middle = 0.5 * (from + to);
-    const CurvePoint p = curve_point(a, middle);
+    const CurvePoint& p = middle_point(first, k);
     if (!p.exists) continue;
-    const CurvePoint q = curve_point(b, middle);
+    const CurvePoint& q = middle_point(second, k);
     if (!q.exists ||
         std::fabs(p.position - q.position) > whole_slope.magnitude() * 0.5 * (to - from))
       continue;
@@ -63,6 +74,7 @@ void Reduction3D::add_meetings(const Curve& a, const Curve& b) {
                              [&](double other) { return std::fabs(other - place) <= same; }))
       breakpoints_.push_back(place);
   found_.clear();
+  middles_.clear();
   std::ranges::sort(breakpoints_);
 }
 

@@ -80,14 +80,14 @@ std::optional<RotatedBox> RotatedBox::around(const Box& box, const ActiveSet& ac
     seen.add(parts->surfaces.back(), number);
   };
   for (int i = 0; i < active.region_count(); ++i)
-    add(Surface(*active.surfaces[i]->level(), &frame), active.numbers[i]);
+    add(active.surfaces[i]->in_frame(frame), active.numbers[i]);
   for (int axis = 0; axis < 2; ++axis) {
     const Point along{frame.axes[0][axis], frame.axes[1][axis], 0};
     add(Surface(center[axis] - box.low[axis], along), ActiveSet::no_piece);
     add(Surface(box.high[axis] - center[axis], {-along[0], -along[1], 0}), ActiveSet::no_piece);
   }
   for (int i = active.region_count(); i < active.count; ++i)
-    add(Surface(*active.surfaces[i]->level(), &frame), active.numbers[i]);
+    add(active.surfaces[i]->in_frame(frame), active.numbers[i]);
   result.parts_ = std::move(parts);
   return result;
 }

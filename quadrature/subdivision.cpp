@@ -32,14 +32,36 @@ void simplify(const Box& box, ActiveSet& active, SurfaceBounds& bounds) {
 
 }  // namespace
 
-Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisitor& visitor) {
+Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisitor& visitor,
+                             double share) {
   visitor_ = &visitor;
   frame_ = nullptr;
   max_depth_ = options_.max_depth[box.dimension - 1];
-  bisections_ = 0;
+  last_work_ =
+      work_done + static_cast<std::int64_t>(share * static_cast<double>(options_.max_work));
   uncertified_ = {};
   visit(box, active, 0);
+  visit_waiting();
   return uncertified_;
+}
+
+void Subdivision::visit_waiting() {
+  for (next_ = 0; next_ < waiting_.size();) {
+    const Waiting box = waiting_[next_++];
+    visit(box.box, box.active, box.depth);
+  }
+  waiting_.clear();
+}
+
+// Whether the budget allows for another bisection and for what the boxes that wait would cost as
+// they are: some tens of lines each.
+bool Subdivision::may_bisect(const ActiveSet& active, int depth) const {
+  constexpr std::int64_t lines = 50;
+  if (depth >= max_depth_) return false;
+  std::int64_t line = 0;
+  for (int i = 0; i < active.count; ++i) line += active.surfaces[i]->cost().crossing;
+  return work_done + static_cast<std::int64_t>(waiting_.size() - next_ + 2) * lines * line <
+         last_work_;
 }
 
 double Subdivision::flatness(int dimension, int depth) const {
@@ -66,12 +88,11 @@ void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
     const int first = (heights.proven[0] + 1) % 3, second = (heights.proven[0] + 2) % 3;
     axis = box.length(first) >= box.length(second) ? first : second;
   }
-  bisected(box, active, depth, axis);
+  bisect_later(box, active, depth, axis);
 }
 
-void Subdivision::bisected(const Box& box, const ActiveSet& active, int depth, int axis) {
-  ++bisections_;
-  for (const Box& half : bisect(box, axis)) visit(half, active, depth + 1);
+void Subdivision::bisect_later(const Box& box, const ActiveSet& active, int depth, int axis) {
+  for (const Box& half : bisect(box, axis)) waiting_.push_back({half, active, depth + 1});
 }
 
 bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
@@ -83,7 +104,14 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   const int max_depth = max_depth_;
   frame_ = &rotation->frame();
   max_depth_ = std::min(depth + depth_in_frame, max_depth);
+  std::vector<Waiting> others;
+  std::swap(others, waiting_);
+  const std::size_t next = next_;
+  next_ = 0;
   visit(rotation->box(), rotation->active(), depth + 1);
+  visit_waiting();
+  std::swap(others, waiting_);
+  next_ = next;
   max_depth_ = max_depth;
   frame_ = nullptr;
   return true;
@@ -94,7 +122,7 @@ bool Subdivision::reduced(const Box& box, const ActiveSet& active,
                           std::span<const FunctionBounds> bounds, const HeightDirections& heights,
                           int depth) {
   const bool proven = heights.proven_count > 0;
-  if (!proven && may_bisect(depth)) return false;
+  if (!proven && may_bisect(active, depth)) return false;
   if (box.dimension == 3) return space_reduced(box, active, bounds, heights, depth);
   if (box.dimension == 2) {
     const int height = proven ? heights.proven[0] : heights.likely;
@@ -134,8 +162,9 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
     }
     return true;
   }
-  if (may_bisect(depth)) return false;
+  if (may_bisect(active, depth)) return false;
   options.best_effort = true;
+  options.in_haste = depth < max_depth_;
   space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
                options);
   visitor_->reduced(space_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "quadrature/height_direction.hpp"
 #include "quadrature/reduction_3d.hpp"
 
@@ -17,9 +19,10 @@ struct SubdivisionOptions {
   double flatness_decay = 0.8;
   /// Bisections along one branch, by dimension: 2⁻¹² of a cell per axis in 2D.
   std::array<int, 3> max_depth = {48, 24, 18};
-  /// Bisections of a whole cell; afterwards boxes are reduced as they are and reported. With 2000 a
-  /// coarse cell of space with trigonometric surfaces can take 75 ms, with 1000 40 ms.
-  int max_bisections = 1000;
+  /// What may be done for one cell, in steps of `work_done`: some 25 ms. Boxes that wait when it is
+  /// spent are reduced as they are and reported, which may take as long again. Large boxes come
+  /// first, so that what is left unresolved is small everywhere.
+  std::int64_t max_work = 2'500'000;
   /// From this depth on a rotated frame is tried in 2D: it resolves corners where one curve is
   /// horizontal and another vertical.
   int rotation_depth = 8;
@@ -69,21 +72,27 @@ class Subdivision {
  public:
   explicit Subdivision(const SubdivisionOptions& options) : options_(options) {}
 
-  /// Reports the parts of `box` to `visitor`; returns what was not certified.
-  Uncertified run(const Box& box, const ActiveSet& active, PartVisitor& visitor);
+  /// Reports the parts of `box` to `visitor`; returns what was not certified. `share` is the part
+  /// of the budget for this box.
+  Uncertified run(const Box& box, const ActiveSet& active, PartVisitor& visitor, double share = 1);
 
  private:
+  struct Waiting {
+    Box box;
+    ActiveSet active;
+    int depth;
+  };
+
+  void visit_waiting();
   void visit(const Box& box, ActiveSet active, int depth);
-  void bisected(const Box& box, const ActiveSet& active, int depth, int axis);
+  void bisect_later(const Box& box, const ActiveSet& active, int depth, int axis);
   bool rotated(const Box& box, const ActiveSet& active, int depth);
   bool reduced(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
                const HeightDirections& heights, int depth);
   bool space_reduced(const Box& box, const ActiveSet& active,
                      std::span<const FunctionBounds> bounds, const HeightDirections& heights,
                      int depth);
-  bool may_bisect(int depth) const {
-    return depth < max_depth_ && bisections_ < options_.max_bisections;
-  }
+  bool may_bisect(const ActiveSet& active, int depth) const;
   void add_uncertified(const Box& box);
   double flatness(int dimension, int depth) const;
 
@@ -91,7 +100,10 @@ class Subdivision {
   PartVisitor* visitor_ = nullptr;
   const Frame* frame_ = nullptr;
   int max_depth_ = 0;
-  int bisections_ = 0;
+  /// Of `work_done`.
+  std::int64_t last_work_ = 0;
+  std::vector<Waiting> waiting_;
+  std::size_t next_ = 0;
   Uncertified uncertified_;
   Reduction2D plane_;
   Reduction3D space_;

@@ -35,7 +35,14 @@ Box Frame::hull(const Box& local) const {
   return world;
 }
 
+Surface Surface::in_frame(const Frame& frame) const {
+  Surface seen = *this;
+  seen.frame_ = &frame;
+  return seen;
+}
+
 FunctionBounds Surface::bounds(const Box& box) const {
+  work_done += cost_.bounds;
   if (!frame_ && level_) return level_->bounds(box);
   FunctionBounds result;
   if (level_) {

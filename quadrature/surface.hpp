@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/level_function.hpp"
+#include "quadrature/work.hpp"
 
 namespace rfm {
 
@@ -25,6 +26,11 @@ class Surface {
  public:
   explicit Surface(const LevelFunction& level, const Frame* frame = nullptr)
       : level_(&level), frame_(frame) {}
+  /// The same surface seen from a frame of the plane.
+  Surface in_frame(const Frame& frame) const;
+  /// Tells what the surface costs; until then it counts as a closed form.
+  void set_cost(const WorkCost& cost) { cost_ = cost; }
+  const WorkCost& cost() const { return cost_; }
   /// The half-plane offset + normal · (ξ, η) ≥ 0.
   Surface(double offset, const Point& normal) : offset_(offset), normal_(normal) {}
 
@@ -57,6 +63,7 @@ class Surface {
   const Frame* frame_ = nullptr;
   double offset_ = 0;
   Point normal_{};
+  WorkCost cost_;
 };
 
 }  // namespace rfm

@@ -204,26 +204,5 @@ TEST(BooleanExpression, LargeExpressionsAreEvaluatedToo) {
   EXPECT_FALSE(relevant[286]);
 }
 
-TEST(BooleanExpression, RestrictedByKnownSignsHasTheSameValueInFewerVariables) {
-  for_random_expressions([](const Pair& pair, std::mt19937& generator) {
-    const auto known = random_signs(generator);
-    const BooleanExpression rest = pair.expression.restricted(known);
-    for (const int v : rest.variables()) EXPECT_EQ(known[v], Truth::unknown);
-    for (const int row : rows_of(known)) {
-      EXPECT_EQ(rest.evaluate(assignment(row)), (pair.table >> row & 1) != 0);
-    }
-  });
-}
-
-TEST(BooleanExpression, OfNodesLeavesOutWhatTheRootDoesNotUse) {
-  const std::vector<BooleanExpression::Node> nodes{{Kind::variable, 3, 0},
-                                                   {Kind::variable, 1, 0},
-                                                   {Kind::conjunction, 0, 1},
-                                                   {Kind::negation, 1, 0}};
-  EXPECT_EQ(BooleanExpression::of_nodes(nodes, 3).nodes().size(), 2u);
-  EXPECT_EQ(BooleanExpression::of_nodes(nodes, 3).variables(), std::vector<int>{1});
-  EXPECT_EQ(BooleanExpression::of_nodes(nodes, 2).variables(), (std::vector<int>{1, 3}));
-}
-
 }  // namespace
 }  // namespace rfm

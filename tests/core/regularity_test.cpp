@@ -141,17 +141,6 @@ TEST(Irregularities, AreNotSeenWhereThereAreNone) {
   expect_regular(cone({0, 0, 0}, {0, 0, 1}, 0.5, 2).named("cone"));
 }
 
-TEST(Irregularities, OfManySidesAreNone) {
-  // Sides at 178.8 degrees to each other are hard to tell apart.
-  Region region = half_plane({1, 0}, {-1, 0}).named("e0");
-  for (int k = 1; k < 300; ++k) {
-    const double t = 2 * std::numbers::pi * k / 300;
-    region = region & half_plane({std::cos(t), std::sin(t)}, {-std::cos(t), -std::sin(t)})
-                          .named("e" + std::to_string(k));
-  }
-  EXPECT_TRUE(irregularities(RegionEvaluator(region), Box{2, {-1.1, -1.1}, {1.1, 1.1}}).empty());
-}
-
 TEST(Irregularities, InSpaceAreFacesEdgesAndPoints) {
   // Two bricks share a part of a face.
   const auto face = found_in(box({0, 0, 0}, {1, 1, 1}, 3).named("a") |

@@ -204,7 +204,7 @@ TEST(FailureModes, BisectionThatHelpsNothingEndsAtTheBudget) {
   Field hopeless = square(x()) + square(y()) - 0.01;
   for (int k = 1; k < 12; ++k) hopeless = hopeless + sin(k * 100 * x()) - sin(k * 100 * x());
   QuadratureOptions options;
-  options.subdivision.max_bisections = 50;
+  options.subdivision.max_work = 20000;
   options.cut_points = 3;
   const DomainRule rule = make_domain_rule(
       RegionEvaluator(region_of(-hopeless * (1 + exp(x())), 2)), grid(0.2, 2), options);
