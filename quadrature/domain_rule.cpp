@@ -183,11 +183,13 @@ class DomainRuleBuilder {
     const Box cell = rule_.grid_.cell(position);
     const Box whole = quadrature_cell(rule_.grid_, position);
     bool is_full = false;
+    // Graded parts are tiny, and have surfaces like any other.
+    constexpr double least_share = 0.02;
     const auto add_part = [&](const Box& box, const ActiveSet& active) {
       rule.is_full = false;
       add_cell_rule(box, active,
                     {options_.cut_points, options_.compare_orders, options_.inside_points,
-                     box.measure() / whole.measure()},
+                     std::max(box.measure() / whole.measure(), least_share)},
                     subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
     };
