@@ -79,9 +79,10 @@ void Reduction3D::find_breakpoints(bool in_haste) {
   add_face_breakpoints(box_.low[inner_], in_haste);
   add_face_breakpoints(box_.high[inner_], in_haste);
   std::ranges::sort(breakpoints_);
+  if (in_haste) return;
   // A crossing ends where traces of its surfaces meet: these come first.
   add_meetings(false);
-  if (!in_haste) add_meetings(true);
+  add_meetings(true);
 }
 
 // Where curves enter or leave through the faces of the inner axis: the breakpoints of these faces.

@@ -30,7 +30,7 @@ class Reduction3D {
     bool allow_contacts = false;
     /// Reduce in any case, uncertified.
     bool best_effort = false;
-    /// A best effort without a search for places where graphs cross: the budget is spent.
+    /// A best effort without a search for places where curves meet: the budget is spent.
     bool in_haste = false;
   };
   enum class Outcome {

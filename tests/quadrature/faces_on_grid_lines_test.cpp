@@ -104,4 +104,35 @@ TEST(FacesOnGridLines, OfHolesAreCountedOnce) {
   }
 }
 
+TEST(FacesOnGridLines, TurnedBy90DegreesInFloatingPointAreCountedOnce) {
+  // cos 90° is 6e-17: every side of the square lies on a grid line but for that, and is on either
+  // side of it by chance.
+  for (int turns = 0; turns < 4; ++turns) {
+    const double c = std::cos(turns * pi / 2), s = std::sin(turns * pi / 2);
+    const auto side = [&](double nx, double ny) {
+      return region_of(0.5 - nx * (x() - 0.25) - ny * (y() + 0.125), 2);
+    };
+    const Region square = side(c, s) & side(-s, c) & side(-c, -s) & side(s, -c);
+    const DomainRule rule = make_domain_rule(RegionEvaluator(square), grid(1.5, 24));
+    EXPECT_NEAR(rule.measure(), 1, 1e-14) << turns;
+    EXPECT_NEAR(rule.boundary_measure(), 4, 1e-13) << turns;
+    EXPECT_EQ(rule.report().uncertified.boxes, 0) << turns;
+  }
+}
+
+TEST(FacesOnGridLines, ACircleThatTouchesThemKeepsItsPerimeter) {
+  // Within 1e-8 of the place where it touches, rounding says on which side of the line it is.
+  for (const int cells : {12, 24, 48}) {
+    QuadratureOptions options;
+    options.cut_points = 14;
+    const DomainRule rule =
+        make_domain_rule(RegionEvaluator(disk(0, 0, 1.25)), grid(1.5, cells), options);
+    EXPECT_NEAR(rule.measure(), 1.5625 * pi, 1e-13) << cells;
+    EXPECT_LE(std::fabs(rule.boundary_measure() - 2.5 * pi),
+              rule.report().order_difference.boundary + 1e-12)
+        << cells;
+    EXPECT_LT(rule.report().divergence_defect, cells == 12 ? 1e-8 : 1e-10) << cells;
+  }
+}
+
 }  // namespace

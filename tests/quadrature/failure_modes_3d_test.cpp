@@ -1,6 +1,7 @@
 // Situations in space in which surfaces touch, meet in many or in singular points.
 
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
 
 #include "quadrature/domain_rule.hpp"
 #include "tests/quadrature/regions.hpp"
@@ -168,6 +169,35 @@ TEST(FailureModes3D, ThinPlates) {
     // Of the thinnest plate the faces are rounded to multiples of 1e-17.
     EXPECT_LT(error.volume, 1e-12 + 1e-17 / width);
     EXPECT_LT(error.area, 1e-13);
+  }
+}
+
+TEST(FailureModes3D, WorkOnACellEndsSoonAfterItsBudget) {
+  // Two gyroids, a quartic and a torus in eight cells, far from resolved by them.
+  const auto wave = [](const Field& a, const Field& b) { return sin(3 * a) * cos(3 * b); };
+  const auto gyroid = [&](const Field& a) {
+    return solid(0.1 + wave(a, y()) + wave(y(), z()) + wave(z(), a));
+  };
+  const Field ring = square(x()) + square(y());
+  const Region region = ((gyroid(x()) ^ gyroid(x() + 0.3 * y())) |
+                         solid(1 - square(square(x())) - 5 * square(square(z())) - square(y()))) -
+                        solid(ring - square(ring + square(z()) + 0.1));
+  QuadratureOptions options;
+  for (const int budget : {100'000, 1'000'000}) {
+    options.subdivision.max_work = budget;
+    double most = 0;
+    for (int cell = 0; cell < 8; ++cell) {
+      const Grid all = grid(1.1, 2, 3);
+      const Grid alone(all.cell(all.position(cell)), {1, 1, 1});
+      const RegionEvaluator evaluator(region);
+      tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+      const std::int64_t before = work_done;
+      const DomainRule rule = make_domain_rule(evaluator, alone, options);
+      most = std::max(most, static_cast<double>(work_done - before));
+      EXPECT_GT(rule.report().uncertified.boxes, 0);
+      EXPECT_GT(rule.report().uncertified.measure, 0);
+    }
+    EXPECT_LT(most, 3.0 * budget + 3e6) << budget;
   }
 }
 
