@@ -19,21 +19,22 @@ Side side_of(int primitive, const RegionEvaluator& region) {
   return plain && subtracted ? Side::both : subtracted ? Side::negative : Side::positive;
 }
 
+Field outward_sign(int primitive, const RegionEvaluator& region) {
+  const Side side = side_of(primitive, region);
+  if (side != Side::both) return side == Side::negative ? 1.0 : -1.0;
+  // Positive inside the region means that the others make it true with this one and false without.
+  const BooleanExpression& whole = region.region().expression();
+  const BooleanExpression inward =
+      whole.restricted(primitive, true) & (!whole.restricted(primitive, false));
+  return 1.0 - 2.0 * step(implicit(inward.negations_at_leaves(), region.region(), RAlpha{1}));
+}
+
 std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) {
   const Field& level = region.region().primitives()[primitive]->level;
   std::vector<Field> normal = gradient(level, region.dimension());
   Field square = 0.0;
   for (const Field& component : normal) square = square + component * component;
-  const Side side = side_of(primitive, region);
-  Field sign = side == Side::negative ? 1.0 : -1.0;
-  if (side == Side::both) {
-    // Positive inside the region means that the others make it true with this one and false
-    // without.
-    const BooleanExpression& whole = region.region().expression();
-    const BooleanExpression inward =
-        whole.restricted(primitive, true) & (!whole.restricted(primitive, false));
-    sign = 1.0 - 2.0 * step(implicit(inward.negations_at_leaves(), region.region(), RAlpha{1}));
-  }
+  const Field sign = outward_sign(primitive, region);
   for (Field& component : normal) component = sign * component / sqrt(square);
   return normal;
 }

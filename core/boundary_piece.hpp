@@ -30,6 +30,10 @@ enum class Side {
 /// Decided by how the primitive occurs once negations stand on primitives only.
 Side side_of(int primitive, const RegionEvaluator& region);
 
+/// What turns the gradient of a primitive outwards on its piece: −1, or 1 where the region lies on
+/// its negative side, chosen point by point where it lies on both.
+Field outward_sign(int primitive, const RegionEvaluator& region);
+
 /// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, the opposite where the region
 /// lies on its negative side, chosen point by point where it lies on both.
 std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);

@@ -167,6 +167,27 @@ Region capsule(const Point& from, const Point& to, double radius) {
   return unnamed(function, function, 3);
 }
 
+Region quadric(const std::vector<double>& coefficients, int dimension) {
+  const std::size_t expected = dimension == 2 ? 6 : 10;
+  if (dimension < 2 || dimension > 3 || coefficients.size() != expected)
+    throw InvalidArgument("a quadric has 6 coefficients in the plane and 10 in space, got " +
+                          std::to_string(coefficients.size()));
+  bool varies = false;
+  for (std::size_t i = 0; i < expected; ++i) {
+    if (!std::isfinite(coefficients[i]))
+      throw InvalidArgument("the coefficients of a quadric must be finite");
+    varies = varies || (i + 1 < expected && coefficients[i] != 0);
+  }
+  if (!varies) throw InvalidArgument("a quadric without terms in the coordinates is constant");
+  const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+  const std::vector<Field> terms =
+      dimension == 2 ? std::vector<Field>{x * x, x * y, y * y, x, y, 1.0}
+                     : std::vector<Field>{x * x, y * y, z * z, x * y, x * z, y * z, x, y, z, 1.0};
+  Field level = 0.0;
+  for (std::size_t i = 0; i < expected; ++i) level = level + coefficients[i] * terms[i];
+  return unnamed(normalize(level, dimension), level, dimension);
+}
+
 Region level_set(const Field& f, int dimension) { return unnamed(f, f, dimension); }
 
 }  // namespace rfm

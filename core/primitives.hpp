@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "core/region.hpp"
 
@@ -43,6 +44,11 @@ Region torus(const Point& center, const Point& axis, double radius, double tube)
 /// (r² − s²) / 2r with s the distance from the segment. Continuously differentiable; its second
 /// derivatives jump where the round ends begin, as the curvature of the surface does.
 Region capsule(const Point& from, const Point& to, double radius);
+/// {Q ≥ 0} for any polynomial of degree 2, normalised by eq. (4.9): in the plane
+/// a x² + b xy + c y² + d x + e y + f, in space the coefficients of x², y², z², xy, xz, yz, x, y,
+/// z, 1. Throws `InvalidArgument` unless there are 6 (10 in space) finite ones, not all but the
+/// last 0.
+Region quadric(const std::vector<double>& coefficients, int dimension = 2);
 /// {f ≥ 0} for any function, taken as it is: not normalised.
 Region level_set(const Field& f, int dimension = 2);
 

@@ -18,4 +18,11 @@ Field trim_from_inside(const Field& gamma, const Field& lambda) {
   return trimmed(gamma, gamma, lambda);
 }
 
+Field trim_of_square(const Field& square, const Field& lambda) {
+  const Field root = hypot(lambda, square);
+  const Field beside = sqrt(square * (1 + 0.25 * square * pow(square / (root + lambda), 2)));
+  const Field beyond = sqrt(square + 0.25 * pow(root - lambda, 2));
+  return select(apply(Operation::less, {0.0, lambda}), beside, beyond);
+}
+
 }  // namespace rfm

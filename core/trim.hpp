@@ -19,4 +19,8 @@ Field trim(const Field& gamma, const Field& lambda);
 /// beyond the ends, where λ ≤ 0, it is `trim`, and on {λ = 0, γ < 0} it jumps.
 Field trim_from_inside(const Field& gamma, const Field& lambda);
 
+/// The same of γ² ≥ 0 instead of γ: for curves in space, where γ is the distance from a curve and
+/// only its square is smooth.
+Field trim_of_square(const Field& square, const Field& lambda);
+
 }  // namespace rfm

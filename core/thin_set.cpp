@@ -1,0 +1,163 @@
+#include "core/thin_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/conditional_r_functions.hpp"
+#include "core/error.hpp"
+#include "core/r_equivalence.hpp"
+#include "core/trim.hpp"
+
+namespace rfm {
+namespace {
+
+Field square_distance(const Point& point, int dimension) {
+  Field square = 0.0;
+  for (int axis = 0; axis < dimension; ++axis)
+    square = square + pow(coordinate(axis) - point[axis], 2.0);
+  return square;
+}
+
+Field along(const Point& direction, const Point& from, int dimension) {
+  Field result = 0.0;
+  for (int axis = 0; axis < dimension; ++axis)
+    result = result + direction[axis] * (coordinate(axis) - from[axis]);
+  return result;
+}
+
+Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+
+Point unit(const Point& a) {
+  const double size = length(a);
+  return {a[0] / size, a[1] / size, a[2] / size};
+}
+
+}  // namespace
+
+Field trimming_conjunction(const std::vector<Field>& fields, const Field& gamma,
+                           const ConditionalOptions& options) {
+  if (fields.empty()) throw InvalidArgument("the conjunction of no fields does not exist");
+  if (!(options.a > 0))
+    throw InvalidArgument("the factor of a conditional R-function must be positive");
+  if (options.k < 2 || options.k > 16 || options.k % 2 != 0)
+    throw InvalidArgument("the exponent of a conditional R-function must be even, from 2 to 16");
+  const Field s = options.a * pow(gamma, double(options.k));
+  Field joined = fields[0];
+  for (std::size_t i = 1; i < fields.size(); ++i)
+    joined = conditional_conjunction(joined, fields[i], s);
+  return joined;
+}
+
+ThinSet point_set(const Point& point, int dimension) {
+  ThinSet set;
+  set.dimension = dimension;
+  set.function = sqrt(square_distance(point, dimension));
+  set.points = {point};
+  return set;
+}
+
+ThinSet segment_set(const Point& from, const Point& to, int dimension) {
+  if (dimension < 2 || dimension > 3)
+    throw InvalidArgument("segments lie in 2 or 3 dimensions, not in " + std::to_string(dimension));
+  const Point step = difference(to, from);
+  const double size = length(step);
+  if (!(size > 0)) throw InvalidArgument("the ends of a segment must differ");
+  const Point middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (from[2] + to[2])};
+  const Point direction = unit(step);
+  ThinSet set;
+  set.dimension = dimension;
+  set.points = {from, to};
+  set.where = (0.25 * size * size - square_distance(middle, dimension)) / size;
+  set.ends = {set.where};
+  if (dimension == 2) {
+    set.surface = along({-direction[1], direction[0]}, from, 2);
+    set.function = trim(*set.surface, set.where);
+    return set;
+  }
+  // Two planes through the line: the sum of their squares loses no digits near it.
+  const Point pole = std::fabs(direction[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
+  const Point normal = unit(cross(direction, pole)), binormal = cross(direction, normal);
+  set.function = trim_of_square(
+      pow(along(normal, from, 3), 2.0) + pow(along(binormal, from, 3), 2.0), set.where);
+  return set;
+}
+
+ThinSet arc_set(const Point& center, double radius, double from, double to) {
+  constexpr double full = 2 * std::numbers::pi, rounding = 1e-12;
+  if (!(radius > 0)) throw InvalidArgument("the radius of an arc must be positive");
+  if (!(to > from) || to - from > full * (1 + rounding))
+    throw InvalidArgument("the angles of an arc must ascend by at most a full turn");
+  ThinSet set;
+  set.surface = (radius * radius - square_distance(center, 2)) * (0.5 / radius);
+  if (to - from >= full * (1 - rounding)) {
+    set.function = abs(*set.surface);
+    return set;
+  }
+  // Beyond the chord, seen from the centre along the middle of the arc.
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  set.where = along({std::cos(middle), std::sin(middle)}, center, 2) - radius * std::cos(half);
+  set.ends = {set.where};
+  set.function = trim(*set.surface, set.where);
+  set.bulge = std::tan(0.25 * (to - from));
+  for (const double angle : {from, to})
+    set.points.push_back(
+        {center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
+  return set;
+}
+
+ThinSet level_curve_set(const Field& of, const std::optional<Field>& where, int dimension) {
+  ThinSet set;
+  set.dimension = dimension;
+  set.surface = of;
+  const Field gamma = normalize(of, dimension);
+  set.function = where ? trim(gamma, *where) : abs(gamma);
+  if (where) {
+    set.where = *where;
+    set.ends = {*where};
+  }
+  return set;
+}
+
+ThinSet triangle_set(const Point& a, const Point& b, const Point& c,
+                     const ConditionalOptions& options) {
+  const Point corners[] = {a, b, c};
+  const Point area = cross(difference(b, a), difference(c, a));
+  const double size =
+      std::max({length(difference(b, a)), length(difference(c, b)), length(difference(a, c))});
+  if (!(length(area) > 1e-14 * size * size))
+    throw InvalidArgument("the corners of a triangle must not lie on a line");
+  const Point normal = unit(area);
+  ThinSet set;
+  set.dimension = 3;
+  set.points = {a, b, c};
+  set.surface = along(normal, a, 3);
+  for (int i = 0; i < 3; ++i) {
+    const Point edge = unit(difference(corners[(i + 1) % 3], corners[i]));
+    set.ends.push_back(along(cross(normal, edge), corners[i], 3));
+  }
+  set.where = trimming_conjunction(set.ends, *set.surface, options);
+  set.function = trim(*set.surface, set.where);
+  return set;
+}
+
+Field joined(const std::vector<ThinSet>& sets, int p) {
+  std::vector<Field> functions;
+  for (const ThinSet& set : sets) functions.push_back(set.function);
+  return equivalence(functions, p);
+}
+
+Field polyline_function(const std::vector<Point>& points, int dimension, int p) {
+  std::vector<ThinSet> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    segments.push_back(segment_set(points[i], points[i + 1], dimension));
+  return joined(segments, p);
+}
+
+}  // namespace rfm

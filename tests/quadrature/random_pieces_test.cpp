@@ -1,0 +1,147 @@
+// The pieces that primitives contribute to the boundary (Boolean derivatives) are what bounds
+// random Boolean combinations of shapes: their points lie on it, and together they are all of it.
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/boundary_piece.hpp"
+#include "core/tape.hpp"
+#include "quadrature/domain_rule.hpp"
+#include "tests/quadrature/random_domains.hpp"
+
+using namespace rfm;
+using namespace rfm::test;
+
+namespace {
+
+Box frame(int dimension) {
+  Box box;
+  box.dimension = dimension;
+  for (int axis = 0; axis < dimension; ++axis) {
+    box.low[axis] = -RandomDomain::half_side;
+    box.high[axis] = RandomDomain::half_side;
+  }
+  return box;
+}
+
+Point moved(const Point& point, const Point& direction, double by) {
+  return {point[0] + by * direction[0], point[1] + by * direction[1], point[2] + by * direction[2]};
+}
+
+struct Tally {
+  int domains = 0, pieces = 0, trimmed = 0, points = 0, near_edges = 0, within = 0;
+};
+
+// ∮ n_i x_i ds is the volume for every axis: a piece that is missing or counted twice shows in one
+// of them at least.
+void expect_cover(const DomainRule& rule, const RandomDomain& domain, Tally& tally) {
+  const int dimension = domain.dimension;
+  std::array<double, 3> flux{};
+  const SurfacePoints& points = rule.boundary().points;
+  for (int i = 0; i < points.size(); ++i)
+    for (int axis = 0; axis < dimension; ++axis)
+      flux[axis] += points.weights[i] * points.normal(i)[axis] * points.point(i)[axis];
+  // Where quadrature announces that it is less exact, to what it announces.
+  constexpr double enough = 1e-6;
+  const QuadratureReport& report = rule.report();
+  const double uncertified = report.uncertified.measure + report.uncertified.contact_measure;
+  const int boxes = report.uncertified.boxes + report.uncertified.contact_boxes;
+  const double side = std::pow(uncertified / std::max(boxes, 1), 1.0 / dimension);
+  const double announced =
+      4 * (report.order_difference.volume + report.order_difference.boundary +
+           (side > 0 ? dimension * uncertified / side * RandomDomain::half_side : 0.0));
+  bool within = true;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const double defect = std::fabs(flux[axis] - rule.measure());
+    EXPECT_LE(defect, std::max(enough, announced)) << domain.text();
+    within = within && defect <= enough;
+  }
+  tally.within += within;
+}
+
+void expect_on_boundary(const DomainRule& rule, const RegionEvaluator& region,
+                        const RandomDomain& domain, Tally& tally) {
+  const SurfacePoints& points = rule.boundary().points;
+  const int stride = std::max(1, points.size() / 200);
+  for (int i = 0; i < points.size(); i += stride) {
+    const Point at = points.point(i), normal = points.normal(i);
+    Point gradient;
+    const double value = region.level(points.numbers[i]).value_and_gradient(at, gradient);
+    const double slope = std::hypot(gradient[0], gradient[1], gradient[2]);
+    ++tally.points;
+    EXPECT_LE(std::fabs(value), 1e-9 * slope + 1e-12) << domain.text();
+    // Other surfaces within a small distance decide there, too: edges.
+    constexpr double step = 1e-6;
+    bool near_edge = slope < 1e-3;
+    for (int k = 0; k < region.primitive_count(); ++k) {
+      Point other;
+      const double away = region.level(k).value_and_gradient(at, other);
+      near_edge =
+          near_edge || (k != points.numbers[i] &&
+                        std::fabs(away) <= 3 * step * std::hypot(other[0], other[1], other[2]));
+    }
+    if (near_edge) {
+      ++tally.near_edges;
+      continue;
+    }
+    EXPECT_FALSE(region.contains(moved(at, normal, step))) << domain.text();
+    EXPECT_TRUE(region.contains(moved(at, normal, -step))) << domain.text();
+  }
+}
+
+// Functions of pieces vanish on their own piece and are at least the distance from the surface
+// elsewhere on the boundary.
+void expect_functions(const DomainRule& rule, const RegionEvaluator& region,
+                      const RandomDomain& domain, Tally& tally) {
+  const SurfacePoints& points = rule.boundary().points;
+  const int stride = std::max(1, points.size() / 100);
+  for (int k = 0; k < region.primitive_count(); ++k) {
+    if (!(rule.boundary_measure(k) > 1e-6)) continue;
+    const BoundaryPiece piece = boundary_piece(k, region, frame(domain.dimension));
+    ++tally.pieces;
+    tally.trimmed += !piece.whole;
+    const Tape own({region.region().primitives()[k]->function}, {0}, domain.dimension);
+    const Tape function({piece.function}, {0}, domain.dimension);
+    for (int i = 0; i < points.size(); i += stride) {
+      const double value = function.value(points.point(i));
+      if (points.numbers[i] == k)
+        EXPECT_NEAR(value, 0, 1e-8) << domain.text();
+      else
+        EXPECT_GE(value, std::fabs(own.value(points.point(i))) - 1e-8) << domain.text();
+    }
+  }
+}
+
+void check(int dimension, int first, int count, int cells, int points, double share) {
+  Tally tally;
+  for (int seed = first; seed < first + count; ++seed) {
+    const RandomDomain domain = random_domain(seed, dimension);
+    const RegionEvaluator region(domain.region());
+    QuadratureOptions options;
+    options.inside_points = 2;
+    options.cut_points = points;
+    const DomainRule rule =
+        make_domain_rule(region, Grid(frame(dimension), {cells, cells, cells}), options);
+    if (!(rule.measure() > 0)) continue;
+    ++tally.domains;
+    expect_cover(rule, domain, tally);
+    expect_on_boundary(rule, region, domain, tally);
+    expect_functions(rule, region, domain, tally);
+  }
+  std::printf(
+      "%d domains (%d covered to 1e-6, the others as announced), %d pieces (%d trimmed), %d points "
+      "(%d near "
+      "edges)\n",
+      tally.domains, tally.within, tally.pieces, tally.trimmed, tally.points, tally.near_edges);
+  EXPECT_GE(tally.within, share * tally.domains);
+  EXPECT_GT(tally.points, 100 * tally.domains / 2);
+  EXPECT_LT(tally.near_edges, tally.points / 20);
+}
+
+TEST(RandomPieces, BoundRandomDomainsOfThePlane) { check(2, 20000, 40, 20, 10, 0.9); }
+TEST(RandomPieces, BoundRandomDomainsOfSpace) { check(3, 20000, 6, 8, 10, 0.3); }
+TEST(LongRandomPieces, BoundRandomDomainsOfThePlane) { check(2, 30000, 1500, 20, 10, 0.9); }
+TEST(LongRandomPieces, BoundRandomDomainsOfSpace) { check(3, 30000, 500, 8, 10, 0.3); }
+
+}  // namespace
