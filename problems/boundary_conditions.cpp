@@ -10,6 +10,7 @@
 #include "problems/boundary_coverage.hpp"
 #include "problems/result_scope.hpp"
 #include "solution_structures/transfinite.hpp"
+#include "solvers/integrate.hpp"
 
 namespace rfm {
 namespace {
@@ -34,6 +35,24 @@ std::optional<Field> exclusive(const std::optional<Field>& where,
   std::optional<Field> result = where;
   for (const Field& claimed : earlier) result = result ? min(*result, -claimed) : -claimed;
   return result;
+}
+
+// The claims that hold something of a piece, up to the first that holds all of what is left.
+std::vector<PieceClaim> settled(const PieceConditions& piece, int primitive,
+                                const DomainRule& rule) {
+  const double whole = rule.boundary_measure(primitive), negligible = 1e-9 * whole;
+  std::vector<PieceClaim> claims;
+  for (PieceClaim claim : piece.claims) {
+    if (claim.chosen_by_geometry && claim.where) {
+      const double part =
+          integrate(step(*claim.where), rule, {Contribution::Place::boundary, {primitive}});
+      if (part <= negligible) continue;
+      if (part >= whole - negligible) claim.where.reset();
+    }
+    claims.push_back(claim);
+    if (!claim.where) break;
+  }
+  return claims;
 }
 
 // The pieces that the structure prescribes, as a set of primitives.
@@ -129,7 +148,8 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
 }  // namespace
 
 std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
-                                             const std::vector<int>& bounding_primitives) {
+                                             const std::vector<int>& bounding_primitives,
+                                             const DomainRule& rule) {
   std::vector<std::string> names;
   for (int primitive : bounding_primitives)
     names.push_back(region.region().primitives()[primitive]->name);
@@ -140,7 +160,7 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
     ExpressionScope scope = problem.scope;
     define_normal(scope, outward_normal(bounding_primitives[i], region));
     std::vector<Field> earlier;
-    for (const PieceClaim& claim : assigned[i].claims) {
+    for (const PieceClaim& claim : settled(assigned[i], bounding_primitives[i], rule)) {
       const Condition& condition = problem.conditions[claim.condition];
       PieceCondition piece;
       piece.primitive = bounding_primitives[i];

@@ -6,6 +6,7 @@
 #include "core/boundary_piece.hpp"
 #include "core/weight.hpp"
 #include "problems/problem.hpp"
+#include "quadrature/domain_rule.hpp"
 
 namespace rfm {
 
@@ -24,10 +25,13 @@ struct PieceCondition {
 };
 
 /// The conditions of a problem, piece by piece, for the primitives that bound the domain. Where
-/// several claim parts of a piece, their `where` exclude each other by priority. Throws
-/// `ProblemFileErrors` for pieces without a condition and conditions without a piece.
+/// several claim parts of a piece, their `where` exclude each other by priority. Parts chosen by
+/// geometry turn out to be nothing or all of a piece by their measure in `rule`, which is split
+/// where they end. Throws `ProblemFileErrors` for pieces without a condition and conditions without
+/// a piece.
 std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
-                                             const std::vector<int>& bounding_primitives);
+                                             const std::vector<int>& bounding_primitives,
+                                             const DomainRule& rule);
 
 /// How the value conditions are met: u = g + ω Ψ on the pieces enforced by structure, boundary
 /// integrals (Nitsche) on the others.

@@ -56,21 +56,34 @@ std::vector<PieceConditions> assign_conditions(const Problem& problem,
     number.emplace(piece, assigned.size());
     assigned.push_back({piece, {}, false});
   }
-  const auto claim = [](PieceConditions& piece, int condition, const std::optional<Field>& where) {
+  const auto claim = [](PieceConditions& piece, int condition, const std::optional<Field>& where,
+                        bool chosen_by_geometry) {
     // Claims after one of the whole piece never rule.
-    if (!piece.is_covered) piece.claims.push_back({condition, where});
+    if (!piece.is_covered) piece.claims.push_back({condition, where, chosen_by_geometry});
     piece.is_covered = piece.is_covered || !where;
   };
   const std::vector<int> order = by_priority(problem.conditions);
-  for (const int i : order)
+  const auto claim_all = [&](int i, bool chosen_by_geometry) {
     for (const BoundaryTarget& target : problem.conditions[static_cast<std::size_t>(i)].targets)
       for (const std::string& piece : target.pieces)
-        if (const auto found = number.find(piece); found != number.end())
-          claim(assigned[found->second], i, target.where);
+        if (const auto found = number.find(piece);
+            found != number.end() && target.chosen_by_geometry == chosen_by_geometry)
+          claim(assigned[found->second], i, target.where_on(piece), chosen_by_geometry);
+  };
+  // Of equal priority, those that may turn out not to meet a piece come first.
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(first, order.end(), [&](int i) {
+      return problem.conditions[static_cast<std::size_t>(i)].priority !=
+             problem.conditions[static_cast<std::size_t>(*first)].priority;
+    });
+    for (const bool chosen_by_geometry : {true, false})
+      for (auto i = first; i != last; ++i) claim_all(*i, chosen_by_geometry);
+    first = last;
+  }
   // What no other condition names, whatever the priorities.
   for (const int i : order)
     if (is_rest(problem.conditions[static_cast<std::size_t>(i)]))
-      for (PieceConditions& piece : assigned) claim(piece, i, {});
+      for (PieceConditions& piece : assigned) claim(piece, i, {}, false);
   return assigned;
 }
 
@@ -112,7 +125,8 @@ void check_overlaps(const Problem& problem, MistakeList& mistakes) {
     std::string piece;
     for (const BoundaryTarget& candidate : condition.targets)
       for (const std::string& name : candidate.pieces)
-        if (!other && (other = earlier[{name, condition.priority}].find(candidate))) {
+        if (!other && !candidate.chosen_by_geometry &&
+            (other = earlier[{name, condition.priority}].find(candidate))) {
           target = &candidate;
           piece = name;
         }
@@ -120,7 +134,8 @@ void check_overlaps(const Problem& problem, MistakeList& mistakes) {
       mistakes.add("two conditions for '" + piece + "': give one of them a larger 'priority'",
                    target->place, {{"the other is here", other->place}});
     for (const BoundaryTarget& claim : condition.targets)
-      for (const std::string& name : claim.pieces) earlier[{name, condition.priority}].add(claim);
+      for (const std::string& name : claim.pieces)
+        if (!claim.chosen_by_geometry) earlier[{name, condition.priority}].add(claim);
   }
 }
 

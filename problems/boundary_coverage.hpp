@@ -11,6 +11,8 @@ namespace rfm {
 struct PieceClaim {
   int condition = 0;
   std::optional<Field> where;
+  /// Whether only measures tell how much of the piece it holds.
+  bool chosen_by_geometry = false;
 };
 
 /// Who rules where on one piece (a primitive that bounds the domain): at a point, the first claim

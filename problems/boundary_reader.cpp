@@ -1,8 +1,10 @@
 #include "problems/boundary_reader.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/nearest_name.hpp"
+#include "problems/region_choice.hpp"
 #include "problems/reserved_names.hpp"
 #include "problems/result_scope.hpp"
 
@@ -40,7 +42,7 @@ BoundaryTarget BoundaryReader::target(const std::string& name, const Place& plac
     target.place = place;
     return target;
   }
-  BoundaryTarget target{name, BoundaryTarget::Kind::pieces, {}, {}, place};
+  BoundaryTarget target{name, BoundaryTarget::Kind::pieces, {}, {}, {}, {}, false, place};
   if (name == "rest") {
     target.kind = BoundaryTarget::Kind::rest;
     return target;
@@ -54,6 +56,9 @@ BoundaryTarget BoundaryReader::target(const std::string& name, const Place& plac
   }
   target.pieces = pieces_of(name);
   if (!target.pieces.empty()) return target;
+  if (problem_.sets.contains(name))
+    throw InputError("'" + name + "' is a set: conditions at sets are not supported yet", 0,
+                     name.size());
 
   const auto refuse = [&](const std::string& message) -> InputError {
     return InputError(message, 0, name.size());
@@ -109,20 +114,31 @@ void BoundaryReader::read_region(const DocumentNode::Entry& entry) {
   if (objection.empty() && shapes_.shapes().contains(entry.key))
     objection = "the name '" + entry.key + "' is already that of a shape";
   if (!objection.empty()) return values_.mistakes.add(objection, entry.key_place);
-  BoundaryTarget region{entry.key, BoundaryTarget::Kind::pieces, {}, {}, entry.key_place};
-  const DocumentNode* of = entry.value.is_map() ? values_.find(entry.value, "of") : &entry.value;
-  const bool is_sound = values_.fits(entry.value) && of;
-  for (BoundaryTarget& part : is_sound ? targets(*of) : std::vector<BoundaryTarget>{}) {
-    if (part.kind == BoundaryTarget::Kind::rest || part.where)
+  BoundaryTarget region{entry.key,      BoundaryTarget::Kind::pieces, {}, {}, {}, {}, false,
+                        entry.key_place};
+  if (values_.fits(entry.value)) {
+    const DocumentNode* of = entry.value.is_map() ? values_.find(entry.value, "of") : &entry.value;
+    if (of)
+      read_parts(*of, entry.value, region);
+    else
+      read_chosen_by_geometry(entry.value, values_, shapes_,
+                              std::filesystem::path(problem_.file).parent_path().string(), region);
+  }
+  problem_.regions.emplace(entry.key, std::move(region));
+}
+
+void BoundaryReader::read_parts(const DocumentNode& of, const DocumentNode& map,
+                                BoundaryTarget& region) {
+  for (BoundaryTarget& part : targets(of)) {
+    if (part.kind == BoundaryTarget::Kind::rest || part.where || part.chosen_by_geometry)
       values_.mistakes.add("a region is made of shapes and sides, not of '" + part.name + "'",
                            part.place);
     region.pieces.insert(region.pieces.end(), part.pieces.begin(), part.pieces.end());
     const std::string shape = part.name.substr(0, part.name.find('.'));
     if (shapes_.shapes().contains(shape)) shapes_.mark_used(shape);
   }
-  if (const DocumentNode* where = is_sound ? values_.find(entry.value, "where") : nullptr)
+  if (const DocumentNode* where = map.is_map() ? values_.find(map, "where") : nullptr)
     region.where = values_.field(*where);
-  problem_.regions.emplace(entry.key, std::move(region));
 }
 
 void BoundaryReader::read_conditions() {

@@ -27,6 +27,7 @@ class BoundaryReader {
   std::vector<std::string> pieces_of(const std::string& name);
   std::vector<BoundaryTarget> targets(const DocumentNode& node);
   void read_region(const DocumentNode::Entry& entry);
+  void read_parts(const DocumentNode& of, const DocumentNode& map, BoundaryTarget& region);
   void read_condition(const DocumentNode& node);
   void read_data(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
 

@@ -5,7 +5,8 @@
 
 namespace rfm {
 
-/// What only the shape can tell of regions given by `where`: a region that is empty, a part of the
+/// What only the shape can tell of parts of the boundary: a region (of a condition or a probe) that
+/// is empty, a part of the
 /// boundary that no region reaches, and regions of equal priority that overlap (by more than 10⁻⁹
 /// of the boundary's measure) are mistakes. Throws `ProblemFileErrors`. `rule` must be split along
 /// the zeros of all `where`.

@@ -10,6 +10,7 @@
 #include "core/tape.hpp"
 #include "problems/extremes.hpp"
 #include "problems/result_scope.hpp"
+#include "problems/set_integrals.hpp"
 #include "solvers/integrate.hpp"
 
 namespace rfm {
@@ -120,6 +121,18 @@ class ProbeEvaluator {
     }
   }
 
+  // Regions chosen by geometry name pieces of which they may hold nothing.
+  bool holds_any(const Probe& probe, int primitive) const {
+    const std::optional<Field> where = part_of(probe, primitive);
+    if (!where || !probe.boundary->chosen_by_geometry) return true;
+    const IntegrationPlace place{Contribution::Place::boundary, {primitive}};
+    return integrate(step(*where), solution_.rule, place) > 0;
+  }
+
+  std::optional<Field> part_of(const Probe& probe, int primitive) const {
+    return probe.boundary->where_on(problem_.region().region().primitives()[primitive]->name);
+  }
+
   // The domain, or what it shares with the shape of the probe: a region with a rule of its own, so
   // that the shape's boundary is followed to full order.
   template <class Visit>
@@ -133,9 +146,15 @@ class ProbeEvaluator {
   ProbeResult integrated(const Probe& probe) const {
     double integral = 0, measure = 0;
     const DomainRule& rule = solution_.rule;
-    if (probe.over == Probe::Over::boundary) {
-      const Field inside = probe.boundary->where ? step(*probe.boundary->where) : Field(1.0);
+    if (probe.over == Probe::Over::set) {
+      const std::array<double, 2> sums =
+          integrated_over_set(scalar(probe, scope_), *probe.set, problem_, solution_.rule.grid());
+      integral = sums[0];
+      measure = sums[1];
+    } else if (probe.over == Probe::Over::boundary) {
       over_pieces(probe, [&](int number, const ExpressionScope& scope) {
+        const std::optional<Field> where = part_of(probe, number);
+        const Field inside = where ? step(*where) : Field(1.0);
         const IntegrationPlace place{Contribution::Place::boundary, {number}};
         integral += integrate(inside * scalar(probe, scope), rule, place);
         measure += integrate(inside, rule, place);
@@ -162,8 +181,9 @@ class ProbeEvaluator {
     };
     if (probe.over == Probe::Over::boundary) {
       over_pieces(probe, [&](int number, const ExpressionScope& scope) {
+        if (!holds_any(probe, number)) return;
         offer(maximum_over_boundary(sign * scalar(probe, scope), problem_.region(), solution_.rule,
-                                    {number}, probe.boundary->where));
+                                    {number}, part_of(probe, number)));
       });
     } else {
       over_volume(probe, [&](const RegionEvaluator& part, const DomainRule& rule) {

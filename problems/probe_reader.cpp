@@ -11,8 +11,9 @@ namespace {
 
 class ProbeReader {
  public:
-  ProbeReader(ValueReader& values, ShapeReader& shapes, BoundaryReader& boundary)
-      : values_(values), shapes_(shapes), boundary_(boundary) {
+  ProbeReader(ValueReader& values, ShapeReader& shapes, BoundaryReader& boundary,
+              const std::map<std::string, ThinSet>& sets)
+      : values_(values), shapes_(shapes), boundary_(boundary), sets_(sets) {
     const int dimension = values.dimension;
     const ScalarResults results = stand_in_results(dimension);
     inside_ = values.scope;
@@ -91,6 +92,9 @@ class ProbeReader {
       const DocumentNode* node = values_.find(map, key);
       if (!node) continue;
       probe.kind = kind;
+      if (probe.over == Probe::Over::set && kind != Probe::Kind::integral &&
+          kind != Probe::Kind::average)
+        return values_.mistakes.add("extremes over a set are not supported yet", node->place);
       const bool is_on_boundary = probe.over == Probe::Over::boundary;
       const ExpressionScope& scope = is_on_boundary ? on_boundary_ : inside_;
       if (auto expression = values_.deferred(*node, scope)) {
@@ -110,6 +114,13 @@ class ProbeReader {
   void find_range(const DocumentNode& over, Probe& probe) {
     const std::string& name = over.text;
     if (name == "domain") return;
+    if (const auto set = sets_.find(name); set != sets_.end()) {
+      if (!set->second.surface && set->second.points.size() != 2)
+        throw InputError("'" + name + "' is a point: use a probe with 'point'", 0, name.size());
+      probe.over = Probe::Over::set;
+      probe.set = set->second;
+      return;
+    }
     const std::string shape = name.substr(0, name.find('.'));
     const bool is_shape = shapes_.shapes().contains(shape);
     if (is_shape) shapes_.mark_used(shape);
@@ -140,6 +151,7 @@ class ProbeReader {
   ValueReader& values_;
   ShapeReader& shapes_;
   BoundaryReader& boundary_;
+  const std::map<std::string, ThinSet>& sets_;
   ExpressionScope inside_;
   ExpressionScope on_boundary_;
 };
@@ -150,7 +162,7 @@ void read_probes(const DocumentNode& root, ValueReader& values, ShapeReader& sha
                  BoundaryReader& boundary, Problem& problem) {
   const DocumentNode* probes = values.find(root, "probes");
   if (!probes) return;
-  ProbeReader reader(values, shapes, boundary);
+  ProbeReader reader(values, shapes, boundary, problem.sets);
   for (const DocumentNode::Entry& entry : probes->entries) {
     if (!is_name(entry.key))
       values.mistakes.add(objection_to_name(entry.key), entry.key_place);

@@ -36,4 +36,9 @@ Field DeferredExpression::field(const ExpressionScope& scope) const {
   }
 }
 
+std::optional<Field> BoundaryTarget::where_on(const std::string& piece) const {
+  const auto part = parts.find(piece);
+  return part == parts.end() ? where : part->second;
+}
+
 }  // namespace rfm

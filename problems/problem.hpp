@@ -7,6 +7,7 @@
 
 #include "core/expression.hpp"
 #include "core/region.hpp"
+#include "core/thin_set.hpp"
 #include "core/weight.hpp"
 #include "problems/document.hpp"
 
@@ -70,7 +71,16 @@ struct BoundaryTarget {
   std::vector<std::string> pieces;
   /// Only the part where this is ≥ 0.
   std::optional<Field> where;
+  /// Of a region that geometry chooses (by a normal, a shape or a surface): the part of each piece
+  /// of which it holds not all. Which of its pieces hold any of it, their measures tell.
+  std::map<std::string, Field> parts;
+  /// Smooth functions, one of which is zero wherever one of the parts ends.
+  std::vector<Field> ends;
+  bool chosen_by_geometry = false;
   Place place;
+
+  /// Where ≥ 0 on this piece, if it is not all of it.
+  std::optional<Field> where_on(const std::string& piece) const;
 };
 
 struct Condition {
@@ -109,10 +119,12 @@ struct Probe {
   int point_count = 1;
   /// What is probed, by the name under which it is kept: the text as written, or a name.
   std::vector<std::pair<std::string, DeferredExpression>> values;
-  /// Of integrals and extremes: the domain, a part of it, or a part of its boundary.
-  enum class Over { domain, shape, boundary } over = Over::domain;
+  /// Of integrals and extremes: the domain, a part of it, a part of its boundary, or (integrals
+  /// only) the part of a set that lies in the domain.
+  enum class Over { domain, shape, boundary, set } over = Over::domain;
   std::optional<Region> region;
   std::optional<BoundaryTarget> boundary;
+  std::optional<ThinSet> set;
   Place place;
 };
 
@@ -181,6 +193,7 @@ struct Problem {
   std::vector<std::string> fields;
 
   std::map<std::string, Region> shapes;
+  std::map<std::string, ThinSet> sets;
   std::optional<Region> domain;  ///< never empty in a problem that was read
   WeightOptions combine;
   std::optional<Box> bounds;

@@ -53,9 +53,12 @@ void read_contents(ValueReader& values, Problem& problem) {
   define_common_names(values, std::filesystem::path(problem.file).parent_path().string());
   DefinitionReader definitions(root, values, problem);
   definitions.read();
-  ShapeReader shapes(root, values);
+  SetReader sets(root, values);
+  ShapeReader shapes(root, values, sets);
   definitions.check();
   read_geometry(root, values, shapes, problem);
+  sets.read_all();
+  problem.sets = sets.sets();
   read_physics(root, values, shapes, problem);
   BoundaryReader boundary(root, values, shapes, problem);
   boundary.read_regions();

@@ -74,6 +74,22 @@ ScalarCoefficients scalar_coefficients(const Problem& problem) {
   return coefficients;
 }
 
+namespace {
+
+// Where the parts of a target end; several pieces have ends in common.
+void add_ends(const BoundaryTarget& target, int dimension, std::vector<LevelFunction>& interfaces) {
+  if (target.where) interfaces.emplace_back(*target.where, dimension);
+  for (std::size_t i = 0; i < target.ends.size(); ++i) {
+    const Field& end = target.ends[i];
+    const auto earlier = target.ends.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::none_of(target.ends.begin(), earlier,
+                     [&](const Field& other) { return other.same_as(end); }))
+      interfaces.emplace_back(end, dimension);
+  }
+}
+
+}  // namespace
+
 std::vector<LevelFunction> coefficient_interfaces(const Problem& problem) {
   std::vector<LevelFunction> interfaces;
   for (const Material& material : problem.physics.materials)
@@ -84,12 +100,11 @@ std::vector<LevelFunction> coefficient_interfaces(const Problem& problem) {
     if (probe.region)
       for (const auto& primitive : probe.region->primitives())
         interfaces.emplace_back(primitive->level, problem.dimension);
-    if (probe.boundary && probe.boundary->where)
-      interfaces.emplace_back(*probe.boundary->where, problem.dimension);
+    if (probe.boundary) add_ends(*probe.boundary, problem.dimension, interfaces);
   }
   for (const Condition& condition : problem.conditions)
     for (const BoundaryTarget& target : condition.targets)
-      if (target.where) interfaces.emplace_back(*target.where, problem.dimension);
+      add_ends(target, problem.dimension, interfaces);
   return interfaces;
 }
 

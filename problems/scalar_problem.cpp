@@ -117,7 +117,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
     if (!region_.region().primitives()[k]->selects_only &&
         probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
-  conditions_ = piece_conditions(problem, region_, bounding_primitives_);
+  conditions_ = piece_conditions(problem, region_, bounding_primitives_, probe);
   check_within_grid(probe);
   check_parts(problem, region_, bounding_primitives_, probe);
   check_materials(problem, probe);

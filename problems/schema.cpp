@@ -114,6 +114,24 @@ void extend_coefficients(SchemaKey& physics) {
   }
 }
 
+void move_to(SchemaKey& key, const std::string& from, const std::string& to) {
+  key.path.replace(0, from.size(), to);
+  for (auto* children : {&key.keys, &key.items, &key.named, &key.words})
+    for (SchemaKey& child : *children) move_to(child, from, to);
+}
+
+// Profiles are shapes of the plane, whatever the dimension of the problem.
+void extend_profiles(SchemaKey& geometry) {
+  const SchemaKey& shape = find_key(geometry, "shapes")->named[0];
+  SchemaKey& profile = find_key(geometry, "profiles")->named[0];
+  for (SchemaKey key : shape.keys) {
+    if (!key.when.empty() && std::ranges::find(key.when, "2D") == key.when.end()) continue;
+    key.when.clear();
+    move_to(key, shape.path, profile.path);
+    profile.keys.push_back(std::move(key));
+  }
+}
+
 SchemaKey build() {
   SchemaKey root;
   root.doc = "A problem file.";
@@ -122,6 +140,7 @@ SchemaKey build() {
        {document_rows(), geometry_rows(), condition_rows(), physics_rows(), run_rows()})
     for (const SchemaRow& row : rows) builder.add(row);
   extend_coefficients(*find_key(root, "physics"));
+  extend_profiles(*find_key(root, "geometry"));
   return root;
 }
 

@@ -39,6 +39,7 @@ const char* kind_text(DocumentNode::Kind kind) {
 void find_elsewhere(const SchemaKey& key, const std::string& name, std::set<std::string>& parents) {
   for (const auto* children : {&key.keys, &key.items, &key.named})
     for (const SchemaKey& child : *children) {
+      if (child.name == "profiles") continue;  // the same keys as shapes
       if (child.name == name && child.status == Status::works)
         parents.insert(key.path.empty() ? "the top level" : key.path);
       if (child.status == Status::works) find_elsewhere(child, name, parents);

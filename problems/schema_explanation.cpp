@@ -70,6 +70,12 @@ bool matches(const std::vector<std::string>& asked, const std::vector<std::strin
                     is_subsequence(names, asked));
 }
 
+// Profiles have the keys of shapes: they are shown where they are asked for.
+bool repeats_shapes(const std::vector<std::string>& asked, const std::vector<std::string>& names) {
+  return names.size() > 2 && names[1] == "profiles" &&
+         std::ranges::find(asked, "profiles") == asked.end();
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -136,7 +142,8 @@ std::string explain_key(const std::string& key) {
   const std::vector<std::string> asked = names_of(key);
   std::vector<const NamedKey*> found;
   for (const NamedKey& candidate : all)
-    if (matches(asked, candidate.names)) found.push_back(&candidate);
+    if (matches(asked, candidate.names) && !repeats_shapes(asked, candidate.names))
+      found.push_back(&candidate);
   if (found.empty()) {
     std::vector<std::string> known;
     for (const NamedKey& candidate : all) known.push_back(candidate.names.back());

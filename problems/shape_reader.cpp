@@ -8,6 +8,7 @@
 #include "core/nearest_name.hpp"
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
+#include "problems/exact_shapes.hpp"
 #include "problems/reserved_names.hpp"
 
 namespace rfm {
@@ -34,23 +35,23 @@ bool has_side(const Region& region, const std::string& name) {
                              [&](const auto& primitive) { return primitive->name == name; });
 }
 
-// What stands for a shape that has a mistake.
-Region stand_in(int dimension) {
+std::string shape_of_side(const std::string& name) { return name.substr(0, name.find('.')); }
+
+}  // namespace
+
+Region stand_in_shape(int dimension) {
   Field inside = 1.0;
   for (int axis = 0; axis < dimension; ++axis)
     inside = inside - coordinate(axis) * coordinate(axis);
   return level_set(inside, dimension);
 }
 
-std::string shape_of_side(const std::string& name) { return name.substr(0, name.find('.')); }
-
-}  // namespace
-
-ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values)
-    : root_(root), values_(values) {
+ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values, SetReader& sets,
+                         std::string list)
+    : root_(root), values_(values), sets_(sets), list_(std::move(list)) {
   values_.scope.define_function("omega", omega());
   const DocumentNode* geometry = values_.find(root_, "geometry");
-  const DocumentNode* shapes = geometry ? values_.find(*geometry, "shapes") : nullptr;
+  const DocumentNode* shapes = geometry ? values_.find(*geometry, list_) : nullptr;
   if (!shapes) return;
   for (const DocumentNode::Entry& entry : shapes->entries) {
     const std::string objection = objection_to_name(entry.key);
@@ -58,6 +59,7 @@ ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values)
     nodes_.emplace(entry.key, &entry.value);
     key_places_.emplace(entry.key, entry.key_place);
   }
+  read_profiles();
 }
 
 // Formulas of the file keep no way back to this reader.
@@ -74,7 +76,8 @@ void ShapeReader::read_all() {
     });
   }
   const DocumentNode* geometry = values_.find(root_, "geometry");
-  const DocumentNode* text = geometry ? values_.find(*geometry, "domain") : nullptr;
+  const DocumentNode* text =
+      geometry && list_ == "shapes" ? values_.find(*geometry, "domain") : nullptr;
   if (text) domain_ = region(*text);
 }
 
@@ -124,11 +127,12 @@ Region ShapeReader::build(const std::string& name, const DocumentNode& node) {
   if (values_.fits(node))
     for (const DocumentNode::Entry& entry : node.entries)
       if (values_.fits(entry.value)) {
-        const Region region = build_kind(entry.key, entry.value);
+        const Region region = with_exact_distance(build_kind(entry.key, entry.value), entry.key,
+                                                  entry.value, values_);
         // Sides keep the names of the shapes they come from.
         return entry.key == "combine" ? region : region.named(name);
       }
-  return stand_in(values_.dimension).named(name);
+  return stand_in_shape(values_.dimension).named(name);
 }
 
 Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node) {
@@ -172,13 +176,13 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     if (tube < radius) return torus(point("center", {0, 0}), direction(node, "axis"), radius, tube);
     values_.mistakes.add("the tube of a torus must be thinner than its radius",
                          values_.find(node, "tube")->place);
-    return stand_in(3);
+    return stand_in_shape(3);
   }
   if (kind == "capsule") {
     const Point from = point("from", {0, 0}), to = point("to", {1, 0});
     if (from != to) return capsule(from, to, number("radius", 1));
     values_.mistakes.add("the ends of a capsule must differ", values_.find(node, "to")->place);
-    return stand_in(3);
+    return stand_in_shape(3);
   }
   if (kind == "circle") return circle(point("center", {0, 0}), number("radius", 1));
   if (kind == "ellipse")
@@ -192,8 +196,11 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     return level_set(values_.field(node).value_or(x_coordinate()), values_.dimension);
   if (kind == "combine") {
     const std::optional<Region> combined = region(node);
-    return combined ? *combined : stand_in(values_.dimension).named(building_.back());
+    return combined ? *combined : stand_in_shape(values_.dimension).named(building_.back());
   }
+  if (kind == "conic" || kind == "quadric") return build_quadric(node);
+  if (kind == "extrusion" || kind == "revolution" || kind == "transform")
+    return derived_shape(kind, node);
   throw InvalidArgument("shapes of kind " + kind + " cannot be built");
 }
 
@@ -206,6 +213,7 @@ ExpressionFunction ShapeReader::omega() {
                          argument.length);
       return domain_ ? implicit(*domain_) : Field(1.0);
     }
+    if (sets_.contains(argument.text)) return sets_.built(argument.text, argument.offset).function;
     const bool is_side = !nodes_.contains(argument.text);
     const std::string name = is_side ? shape_of_side(argument.text) : argument.text;
     mark_used(name);
@@ -219,10 +227,11 @@ ExpressionFunction ShapeReader::omega() {
 }
 
 ExpressionFunction ShapeReader::final_omega() const {
-  const auto value = [shapes = built_, domain = domain_](
+  const auto value = [shapes = built_, sets = sets_.sets(), domain = domain_](
                          std::span<const ExpressionArgument> arguments) -> ExpressionValue {
     const std::string& name = arguments[0].text;
     if (name == "domain" && domain) return implicit(*domain);
+    if (const auto set = sets.find(name); set != sets.end()) return set->second.function;
     const auto shape = shapes.find(shapes.contains(name) ? name : shape_of_side(name));
     if (shape == shapes.end())
       throw InputError("unknown shape '" + name + "'" + did_you_mean(name, keys_of(shapes)),
@@ -233,6 +242,7 @@ ExpressionFunction ShapeReader::final_omega() const {
 }
 
 void ShapeReader::report_unused() {
+  report_unused_profiles();
   std::set<std::string, std::less<>> used;
   std::vector<std::string> pending = {""};
   while (!pending.empty()) {
@@ -243,7 +253,9 @@ void ShapeReader::report_unused() {
   }
   if (!values_.mistakes.empty()) used.merge(words_of(root_));
   for (const auto& [name, place] : key_places_)
-    if (!used.contains(name)) values_.mistakes.add("the shape '" + name + "' is not used", place);
+    if (!used.contains(name))
+      values_.mistakes.add(
+          (list_ == "shapes" ? "the shape '" : "the profile '") + name + "' is not used", place);
 }
 
 }  // namespace rfm

@@ -1,22 +1,29 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "core/boolean_text.hpp"
 #include "core/region.hpp"
+#include "problems/set_reader.hpp"
 #include "problems/value_reader.hpp"
 
 namespace rfm {
 
+/// What stands for a shape that has a mistake.
+Region stand_in_shape(int dimension);
+
 /// Reads `geometry.shapes` and the domain. Shapes are built when they are first named, since they
 /// may name each other in any order: `combine`, and `omega(name)` in formulas. Gives `omega` its
-/// meaning in the scope of `values`.
+/// meaning, for shapes and sets, in the scope of `values`.
 class ShapeReader {
  public:
-  /// Both must outlive the reader.
-  ShapeReader(const DocumentNode& root, ValueReader& values);
+  /// All must outlive the reader.
+  /// `list` is the map under `geometry`: `shapes`, or `profiles` (plane shapes without a domain).
+  ShapeReader(const DocumentNode& root, ValueReader& values, SetReader& sets,
+              std::string list = "shapes");
   ~ShapeReader();
 
   /// Builds what has not been named yet, and the domain.
@@ -42,10 +49,23 @@ class ShapeReader {
   const Region& built(const std::string& name, std::size_t offset);
   Region build(const std::string& name, const DocumentNode& node);
   Region build_kind(const std::string& kind, const DocumentNode& node);
+  struct Profiles;
+  void read_profiles();
+  void report_unused_profiles();
+  Region derived_shape(const std::string& kind, const DocumentNode& node);
+  /// The plane region that the `profile` of a shape names.
+  std::optional<Region> profile(const DocumentNode& node);
+  Region build_extrusion(const DocumentNode& node);
+  Region build_revolution(const DocumentNode& node);
+  Region build_transform(const DocumentNode& node);
+  Region build_quadric(const DocumentNode& node);
   ExpressionFunction omega();
 
   const DocumentNode& root_;
   ValueReader& values_;
+  SetReader& sets_;
+  std::string list_;
+  std::shared_ptr<Profiles> profiles_;
   std::map<std::string, const DocumentNode*> nodes_;
   std::map<std::string, Place> key_places_;
   std::map<std::string, Region> built_;

@@ -1,0 +1,51 @@
+#include "problems/set_integrals.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/tape.hpp"
+#include "quadrature/segment_rule.hpp"
+#include "solvers/integrate.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr int points = 8;
+
+// A curve in space: the points of the segment itself.
+std::array<double, 2> over_segment(const Field& f, const ThinSet& set,
+                                   const RegionEvaluator& region, const Grid& grid) {
+  const VolumePoints rule =
+      make_segment_rule(region, set.points[0], set.points[1], grid.spacing(0), points);
+  const Tape tape({f}, {0}, set.dimension);
+  double integral = 0, measure = 0;
+  for (int i = 0; i < rule.size(); ++i) {
+    integral += rule.weights[i] * tape.value(rule.point(i));
+    measure += rule.weights[i];
+  }
+  if (!std::isfinite(integral)) throw ComputationError("the value is not a finite number");
+  return {integral, measure};
+}
+
+}  // namespace
+
+std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
+                                          const ScalarProblem& problem, const Grid& grid) {
+  if (!set.surface) return over_segment(f, set, problem.region(), grid);
+  // The surface is an interface, split where the set ends.
+  std::vector<LevelFunction> interfaces;
+  interfaces.emplace_back(*set.surface, set.dimension);
+  for (const Field& end : set.ends) interfaces.emplace_back(end, set.dimension);
+  QuadratureOptions options;
+  options.inside_points = 1;
+  options.cut_points = points;
+  options.compare_orders = false;
+  const DomainRule rule = make_domain_rule(problem.region(), grid, options, interfaces);
+  const Field inside = step(set.where);
+  const IntegrationPlace place{Contribution::Place::interface, {0}};
+  const std::array<Coefficient, 2> integrands{Coefficient(inside * f), Coefficient(inside)};
+  const std::vector<double> sums = integrate(integrands, rule, place);
+  return {sums[0], sums[1]};
+}
+
+}  // namespace rfm
