@@ -10,6 +10,7 @@
 #include "core/thin_set.hpp"
 #include "core/weight.hpp"
 #include "problems/document.hpp"
+#include "quadrature/grading.hpp"
 
 namespace rfm {
 
@@ -104,6 +105,8 @@ struct Discretization {
   std::optional<Box> grid;
   /// Gauss points in each direction of a cell, where the file chooses them.
   std::optional<int> quadrature_order;
+  /// Points and segments towards which the integration is refined.
+  std::vector<Grading> gradings;
   enum class Method { ritz } method = Method::ritz;
   enum class LinearSolver { automatic, direct } linear_solver = LinearSolver::automatic;
   double tolerance = 1e-12;
@@ -177,6 +180,8 @@ struct Outputs {
   std::vector<std::string> fields;
   int resolution = 128;
   std::optional<Picture> picture;
+  /// Whether the points of the integration are written too.
+  bool rule = false;
 };
 
 /// A problem file, read and checked: names are resolved, numbers are numbers, defaults are filled

@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "problems/output/vtp_file.hpp"
 #include "problems/output/vtu_file.hpp"
 #include "problems/pictures/write_pictures.hpp"
 #include "problems/reader.hpp"
 #include "problems/resolved_document.hpp"
 #include "problems/result_folder.hpp"
 #include "problems/result_meshes.hpp"
+#include "problems/rule_points.hpp"
 #include "problems/stopwatch.hpp"
 #include "problems/summary.hpp"
 #include "solvers/integrate.hpp"
@@ -209,6 +211,9 @@ int run_problem(const std::string& file, const RunOptions& options) {
   if (meshes.boundary.cell_count() > 0)
     folder.write(name + ".boundary.vtu",
                  [&](const std::string& path) { write_vtu(meshes.boundary, path); });
+  if (problem.outputs.rule)
+    folder.write(name + ".rule.vtp",
+                 [&](const std::string& path) { write_vtp(rule_points(solution.rule), path); });
   if (options.picture || problem.outputs.picture)
     write_pictures(folder, name, scalar, solution, report.convergence, log);
   if (const std::string csv = probes_csv(report.probes); !csv.empty())

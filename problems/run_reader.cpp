@@ -24,6 +24,27 @@ std::vector<int> read_cells(const DocumentNode& node, ValueReader& values) {
   return values.integers(node).value_or(std::vector<int>{});
 }
 
+Grading read_grading(const DocumentNode& node, ValueReader& values) {
+  Grading grading;
+  const auto read_point = [&](const DocumentNode& map, const char* key, Point& point) {
+    if (const DocumentNode* value = values.find(map, key))
+      point = values.point(*value).value_or(point);
+  };
+  read_point(node, "point", grading.from);
+  grading.to = grading.from;
+  if (const DocumentNode* segment = values.find(node, "segment")) {
+    read_point(*segment, "from", grading.from);
+    read_point(*segment, "to", grading.to);
+  }
+  if (const DocumentNode* levels = values.find(node, "levels"))
+    grading.levels = values.integer(*levels).value_or(grading.levels);
+  if (const DocumentNode* ratio = values.find(node, "ratio"))
+    grading.ratio = values.number(*ratio).value_or(grading.ratio);
+  if (const DocumentNode* reach = values.find(node, "reach"))
+    grading.reach = values.number(*reach).value_or(grading.reach);
+  return grading;
+}
+
 void check_formula_of_results(const DocumentNode& node, ValueReader& values) {
   ExpressionScope scope = values.scope;
   define_results(scope, stand_in_results(values.dimension));
@@ -70,9 +91,13 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
       result.cell_size = values.number(*size);
   }
   if (const DocumentNode* grid = values.find(*map, "grid")) result.grid = values.box(*grid);
-  if (const DocumentNode* quadrature = values.find(*map, "quadrature"))
+  if (const DocumentNode* quadrature = values.find(*map, "quadrature")) {
     if (const DocumentNode* order = values.find(*quadrature, "order"))
       result.quadrature_order = values.integer(*order);
+    if (const DocumentNode* gradings = values.find(*quadrature, "grade"))
+      for (const DocumentNode& item : gradings->items)
+        if (values.fits(item)) result.gradings.push_back(read_grading(item, values));
+  }
   if (const DocumentNode* solver = values.find(*map, "solver")) {
     if (const DocumentNode* linear = values.find(*solver, "linear"))
       result.linear_solver = linear->text == "direct" ? Discretization::LinearSolver::direct
@@ -195,6 +220,8 @@ void read_outputs(const DocumentNode& root, ValueReader& values, Problem& proble
   if (const DocumentNode* vtu = values.find(*map, "vtu"))
     if (const DocumentNode* resolution = values.find(*vtu, "resolution"))
       problem.outputs.resolution = values.integer(*resolution).value_or(problem.outputs.resolution);
+  if (const DocumentNode* rule = values.find(*map, "rule"))
+    problem.outputs.rule = rule->text == "true";
   if (const DocumentNode* picture = values.find(*map, "picture"))
     problem.outputs.picture = read_picture(*picture, values);
 }

@@ -168,6 +168,7 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
   QuadratureOptions options;
   options.inside_points = problem_.discretization.quadrature_order.value_or(degree + 1);
   options.cut_points = problem_.discretization.quadrature_order.value_or(degree + 3);
+  options.gradings = problem_.discretization.gradings;
   options.inside_points += more_points;
   options.cut_points += more_points;
   return make_domain_rule(region, grid, options, interfaces_);
