@@ -5,6 +5,7 @@
 
 #include "core/dynamic_jet.hpp"
 #include "core/error.hpp"
+#include "core/jet_functions.hpp"
 
 namespace rfm {
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/jet_functions.hpp"
 #include "core/r_bounds.hpp"
 
 namespace rfm {

@@ -10,8 +10,9 @@
 namespace rfm {
 
 /// The tables of jets in a number of variables and up to an order that are known at run time: what
-/// `JetTables` and `jet_product_terms` (core/jet.hpp) are at compile time, in the same order.
-/// Immutable; there is one of each, made when first asked for, and it lives as long as the program.
+/// `JetTables` and `jet_product_terms` (core/jet_product.hpp) are at compile time, in the same
+/// order. Immutable; there is one of each, made when first asked for, and it lives as long as the
+/// program.
 class JetShape {
  public:
   struct Term {

@@ -2,6 +2,8 @@
 
 #include "core/dynamic_jet.hpp"
 #include "core/jet.hpp"
+#include "core/jet_functions.hpp"
+#include "core/jet_piecewise.hpp"
 #include "core/jet_r_functions.hpp"
 #include "core/operations.hpp"
 #include "core/r_rules.hpp"

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/jet.hpp"
+#include "core/jet_piecewise.hpp"
 #include "core/taylor_bound.hpp"
 
 namespace rfm {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/jet_functions.hpp"
+#include "core/jet_piecewise.hpp"
 #include "core/jet_r_functions.hpp"
 
 namespace rfm {

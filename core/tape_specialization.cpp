@@ -51,7 +51,7 @@ Outcome truth(Truth known) {
   return known == Truth::unknown ? Outcome{} : number(known == Truth::yes ? 1 : 0);
 }
 
-// The conditions are those of the rules (core/jet.hpp), over the whole box.
+// The conditions are those of the rules (core/jet_piecewise.hpp), over the whole box.
 Outcome outcome_of(const Instruction& instruction, const std::vector<Interval>& ranges) {
   const auto [first, second, third] = instruction.operands;
   const Interval a = first < 0 ? Interval() : ranges[first];

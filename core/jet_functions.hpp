@@ -1,0 +1,266 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "core/jet.hpp"
+
+namespace rfm {
+
+// Elementary functions of jets: each is composed with its argument by its own Taylor coefficients
+// at the value there.
+
+template <class T, int N, int K>
+Jet<T, N, K> integer_power(const Jet<T, N, K>& a, int exponent) {
+  if (exponent < 0) return Jet<T, N, K>(1.0) / integer_power(a, -exponent);
+  if (exponent == 0) return Jet<T, N, K>(1.0);
+  Jet<T, N, K> base = a;
+  while (exponent % 2 == 0) base = square(base), exponent /= 2;
+  Jet<T, N, K> result = base;
+  for (exponent /= 2; exponent > 0; exponent /= 2) {
+    base = square(base);
+    if (exponent % 2 == 1) result = result * base;
+  }
+  return result;
+}
+
+/// aᵉ, e known up to `lost`, beside a factor known up to `relative`: both are made up for in
+/// bounds, |a^δ − 1| ≤ 2 |δ log a| as long as that is small; plain numbers are what they are.
+template <class T>
+T power_known_to(const T& a, double exponent, double, double) {
+  using rfm::power;
+  return power(a, exponent);
+}
+inline Interval power_known_to(const Interval& a, double exponent, double lost, double relative) {
+  const double error = error_of_power(a, relative, lost);
+  return power(a, exponent) * Interval(1 - error, 1 + error);
+}
+
+/// aᵉ⁻ᵏ for a ≥ 0 as it stands in the k-th derivative of aᵉ, beside a coefficient that has at most
+/// 3k roundings; e − k itself is rounded.
+template <class T>
+T lowered_power(const T& a, double exponent, int k) {
+  const double lowered = exponent - k, back = lowered - exponent;
+  const double lost = (exponent - (lowered - back)) + (-k - back);
+  return power_known_to(a, lowered, lost, k * 0x1p-51);
+}
+
+/// aᵉ for a ≥ 0; at a = 0 the singular coefficients are 0.
+template <class T, int N, int K>
+Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
+  using rfm::power;
+  TaylorSeries<T, K> taylor;
+  taylor[0] = power(a.c[0], exponent);
+  double binomial = 1;
+  for (int k = 1; k <= a.order(); ++k) {
+    binomial *= (exponent - (k - 1)) / k;
+    const T singular = T(binomial) * lowered_power(a.c[0], exponent, k);
+    taylor[k] = exponent >= k ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sqrt(const Jet<T, N, K>& a) {
+  using std::sqrt;
+  TaylorSeries<T, K> taylor;
+  taylor[0] = sqrt(a.c[0]);
+  if (a.order() > 0) {
+    const T inverse = reciprocal_or_zero(a.c[0]);
+    for (int k = 1; k <= a.order(); ++k) taylor[k] = T((1.5 - k) / k) * taylor[k - 1] * inverse;
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cbrt(const Jet<T, N, K>& a) {
+  using std::cbrt;
+  TaylorSeries<T, K> taylor;
+  taylor[0] = cbrt(a.c[0]);
+  if (a.order() > 0) {
+    const T inverse = reciprocal_or_zero(a.c[0]);
+    for (int k = 1; k <= a.order(); ++k) taylor[k] = T((4.0 / 3 - k) / k) * taylor[k - 1] * inverse;
+  }
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> exp(const Jet<T, N, K>& a) {
+  using std::exp;
+  TaylorSeries<T, K> taylor;
+  taylor[0] = exp(a.c[0]);
+  for (int k = 1; k <= a.order(); ++k) taylor[k] = taylor[k - 1] * T(1.0 / k);
+  return compose(a, taylor);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> log(const Jet<T, N, K>& a) {
+  using std::log;
+  TaylorSeries<T, K> taylor;
+  taylor[0] = log(a.c[0]);
+  if (a.order() > 0) {
+    // Where the logarithm is not defined its derivatives are not either.
+    const T inverse = nan_where_nan(reciprocal_or_zero(a.c[0]), taylor[0]);
+    T power = inverse;
+    for (int k = 1; k <= a.order(); ++k) {
+      taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
+      power = power * inverse;
+    }
+  }
+  return compose(a, taylor);
+}
+
+/// The Taylor coefficients of a function whose derivatives repeat as `first`, `second`, ± those.
+template <class T, int K>
+TaylorSeries<T, K> alternating_series(int order, const T& first, const T& second, double sign) {
+  TaylorSeries<T, K> taylor;
+  double factor = 1;
+  for (int k = 0; k <= order; ++k) {
+    if (k > 0) factor /= k;
+    if (k > 1 && k % 2 == 0) factor *= sign;
+    taylor[k] = T(factor) * (k % 2 == 0 ? first : second);
+  }
+  return taylor;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sin(const Jet<T, N, K>& a) {
+  using std::cos, std::sin, rfm::cos, rfm::sin;
+  if (a.order() == 0) return Jet<T, N, K>::constant(sin(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), sin(a.c[0]), cos(a.c[0]), -1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cos(const Jet<T, N, K>& a) {
+  using std::cos, std::sin, rfm::cos, rfm::sin;
+  if (a.order() == 0) return Jet<T, N, K>::constant(cos(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), cos(a.c[0]), -sin(a.c[0]), -1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sinh(const Jet<T, N, K>& a) {
+  using std::cosh, std::sinh;
+  if (a.order() == 0) return Jet<T, N, K>::constant(sinh(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), sinh(a.c[0]), cosh(a.c[0]), 1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> cosh(const Jet<T, N, K>& a) {
+  using std::cosh, std::sinh;
+  if (a.order() == 0) return Jet<T, N, K>::constant(cosh(a.c[0]));
+  return compose(a, alternating_series<T, K>(a.order(), cosh(a.c[0]), sinh(a.c[0]), 1));
+}
+
+/// Taylor coefficients of the solution of f′ = 1 + sign f²: tan (+) and tanh (−).
+template <class T, int K>
+TaylorSeries<T, K> riccati_series(int order, const T& value, double sign) {
+  TaylorSeries<T, K> taylor;
+  taylor[0] = value;
+  for (int k = 0; k < order; ++k) {
+    T sum = T(0.0);
+    for (int i = 0; i <= k; ++i) sum = sum + taylor[i] * taylor[k - i];
+    taylor[k + 1] = T(1.0 / (k + 1)) * (T(k == 0 ? 1.0 : 0.0) + T(sign) * sum);
+  }
+  return taylor;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> tan(const Jet<T, N, K>& a) {
+  using std::tan;
+  return compose(a, riccati_series<T, K>(a.order(), tan(a.c[0]), 1));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> tanh(const Jet<T, N, K>& a) {
+  using std::tanh;
+  return compose(a, riccati_series<T, K>(a.order(), tanh(a.c[0]), -1));
+}
+
+/// The jet in one variable at the value of `a`, one order lower: derivatives of inverse functions
+/// are built from it.
+template <class T, int N, int K>
+auto own_variable(const Jet<T, N, K>& a) {
+  return Jet<T, 1, (K > 0 ? K - 1 : 0)>::variable(0, a.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> asin(const Jet<T, N, K>& a) {
+  using std::asin;
+  if (a.order() == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  // (1 − x)(1 + x) does not cancel next to ±1, where the derivatives are 0 by convention.
+  const auto rest = (one - x) * (one + x);
+  const auto regular = real_power(rest, -0.5);
+  return compose_primitive(a, T(asin(a.c[0])),
+                           select(equal(rest.c[0], T(0.0)), decltype(regular)(), regular));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> acos(const Jet<T, N, K>& a) {
+  using std::acos;
+  Jet<T, N, K> result = -asin(a);
+  result.c[0] = acos(a.c[0]);
+  return result;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> atan(const Jet<T, N, K>& a) {
+  using std::atan;
+  if (a.order() == 0) return Jet<T, N, K>::constant(atan(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  return compose_primitive(a, T(atan(a.c[0])), one / (one + x * x));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> asinh(const Jet<T, N, K>& a) {
+  using std::asinh;
+  if (a.order() == 0) return Jet<T, N, K>::constant(asinh(a.c[0]));
+  const auto x = own_variable(a);
+  const decltype(x) one(1.0);
+  return compose_primitive(a, T(asinh(a.c[0])), real_power(one + x * x, -0.5));
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> erf(const Jet<T, N, K>& a) {
+  using std::erf;
+  if (a.order() == 0) return Jet<T, N, K>::constant(erf(a.c[0]));
+  const auto x = own_variable(a);
+  return compose_primitive(a, T(erf(a.c[0])),
+                           scaled(T(2 * std::numbers::inv_sqrtpi), exp(-(x * x))));
+}
+
+/// The angle of (x, y): all derivatives are those of atan(y/x) or of −atan(x/y), whichever quotient
+/// is the smaller.
+template <class T, int N, int K>
+Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
+  using std::atan2;
+  Jet<T, N, K> angle;
+  if constexpr (K != 0) {
+    const auto steep = farther_from_zero(y.c[0], x.c[0]);
+    const Jet<T, N, K> numerator = select(steep, x, y), denominator = select(steep, y, x);
+    const Jet<T, N, K> flat = atan(numerator / denominator);
+    const auto origin = equal(square(x.c[0]) + square(y.c[0]), T(0.0));
+    angle = select(origin, Jet<T, N, K>(), select(steep, -flat, flat));
+  }
+  angle.c[0] = atan2(y.c[0], x.c[0]);
+  return angle;
+}
+/// aᵇ = exp(b log a); at a = 0 its limit, 0⁰ = 1, and derivatives 0 by convention.
+template <class T, int N, int K>
+Jet<T, N, K> general_power(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  const Jet<T, N, K> regular = exp(b * log(a));
+  const T limit = select(equal(b.c[0], T(0.0)), T(1.0), regular.c[0]);
+  return select(equal(a.c[0], T(0.0)), Jet<T, N, K>::constant(limit), regular);
+}
+
+/// √(a² + b²); numbers whose squares would overflow or underflow are scaled by a power of two.
+template <class T, int N, int K>
+Jet<T, N, K> hypot(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  T scale;
+  if (!squares_need_scale(a.c[0], b.c[0], scale)) return sqrt(square(a) + square(b));
+  return scaled(T(1.0) / scale, sqrt(square(scaled(scale, a)) + square(scaled(scale, b))));
+}
+
+}  // namespace rfm

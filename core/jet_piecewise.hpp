@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/jet.hpp"
+
+namespace rfm {
+
+// Functions of jets that choose between branches by the values of their arguments. At the place
+// where branches meet the derivatives are those of the branch that is taken.
+
+template <class T, int N, int K>
+Jet<T, N, K> floor(const Jet<T, N, K>& a) {
+  using std::floor;
+  return Jet<T, N, K>::constant(floor(a.c[0]));
+}
+
+// What depends on a comparison with NaN is NaN itself: a point outside the domain of a function
+// must not pass for the other side of a condition.
+
+template <class T, int N, int K>
+Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const T& argument) {
+  for (T& coefficient : f.c) coefficient = nan_where_nan(coefficient, argument);
+  return f;
+}
+
+/// 1 where the mask holds, else 0.
+template <class T, int N, int K>
+Jet<T, N, K> indicator(const auto& mask, const T& argument) {
+  return nan_where_nan(Jet<T, N, K>::constant(select(mask, T(1.0), T(0.0))), argument);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> step(const Jet<T, N, K>& a) {
+  return indicator<T, N, K>(less_equal(T(0.0), a.c[0]), a.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> less_than(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return nan_where_nan(indicator<T, N, K>(less(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> at_most(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return nan_where_nan(indicator<T, N, K>(less_equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> equals(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return nan_where_nan(indicator<T, N, K>(equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> choose(const Jet<T, N, K>& condition, const Jet<T, N, K>& yes,
+                    const Jet<T, N, K>& no) {
+  return nan_where_nan(select(equal(condition.c[0], T(0.0)), no, yes), condition.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> sign(const Jet<T, N, K>& a) {
+  const T negative_or_zero = select(less(a.c[0], T(0.0)), T(-1.0), T(0.0));
+  return nan_where_nan(
+      Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero)), a.c[0]);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> abs(const Jet<T, N, K>& a) {
+  return select(less(a.c[0], T(0.0)), -a, a);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> min(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return select(less_or_nan(b.c[0], a.c[0]), b, a);
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> max(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  return select(greater_or_nan(b.c[0], a.c[0]), b, a);
+}
+
+/// a − b ⌊a / b⌋.
+template <class T, int N, int K>
+Jet<T, N, K> mod(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
+  if constexpr (requires { floored_remainder(a.c[0], b.c[0]); }) {
+    // Next to multiples of b the quotient may round to the wrong whole number.
+    using std::floor;
+    const T rest = floored_remainder(a.c[0], b.c[0]);
+    Jet<T, N, K> result = a - scaled(T(floor((a.c[0] - rest) / b.c[0] + T(0.5))), b);
+    result.c[0] = rest;
+    return result;
+  } else {
+    return a - b * floor(a / b);
+  }
+}
+
+}  // namespace rfm
