@@ -40,11 +40,11 @@ Field::Field(double value) {
 }
 
 // Destroying a node destroys its arguments, which destroy theirs: unlinked here one by one instead.
+// An argument that occurs twice has two handles; the one that is dropped last finds itself alone.
 Field::Node::~Node() {
   std::vector<std::shared_ptr<const Node>> pending;
   const auto take = [&pending](std::vector<Field>& fields) {
-    for (Field& field : fields)
-      if (field.node_.use_count() == 1) pending.push_back(std::move(field.node_));
+    for (Field& field : fields) pending.push_back(std::move(field.node_));
     fields.clear();
   };
   take(arguments);
@@ -52,7 +52,7 @@ Field::Node::~Node() {
     std::shared_ptr<const Node> node = std::move(pending.back());
     pending.pop_back();
     // Sole owner: nobody else can see that its arguments are taken away.
-    take(const_cast<Node&>(*node).arguments);
+    if (node.use_count() == 1) take(const_cast<Node&>(*node).arguments);
   }
 }
 

@@ -107,6 +107,12 @@ TEST(Field, ChainsOfAMillionNodesAreDestroyedWithoutRecursion) {
   EXPECT_FALSE(chain.is_constant());
 }
 
+TEST(Field, ChainsThatUseAnArgumentTwiceAreDestroyedWithoutRecursion) {
+  Field square = x, length = y;
+  for (int i = 0; i < 300000; ++i) square = square * square, length = hypot(length, length);
+  EXPECT_FALSE(square.is_constant() || length.is_constant());
+}
+
 TEST(Field, WrongBuildersAreRefused) {
   EXPECT_THROW(apply(Operation::sin, {x, y}), InvalidArgument);
   EXPECT_THROW(apply(Operation::coordinate, {}), InvalidArgument);
