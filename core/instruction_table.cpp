@@ -61,6 +61,13 @@ bool InstructionTable::folded(Instruction& instruction) const {
   switch (instruction.operation) {
     case Operation::partial:
       break;
+    // Made by tapes, so without a row in the table of operations.
+    case Operation::scale:
+      result = number(a) * Number(instruction.number);
+      break;
+    case Operation::offset:
+      result = number(a) + Number(instruction.number);
+      break;
     default:
       result =
           apply_rule(instruction.operation, number(a), number(b), number(c), instruction.number);

@@ -38,6 +38,18 @@ TEST(Specialization, LeavesOutBranchesThatAreNotTaken) {
   EXPECT_EQ(length_over(floor(x / 2 + 0.2) + y, right), 1);
 }
 
+TEST(Specialization, DecidedNumbersAreAddedAndMultipliedLikeOthers) {
+  const Box box = box_of(-2.5, -2.4, 2.2, 2.8);
+  const auto specialised = [&](const Field& field) {
+    return Tape({field}, {0}, 2).specialised(box).value({-2.45, 2.5});
+  };
+  EXPECT_EQ(specialised(floor(y) + 0.1), 2.1);
+  EXPECT_EQ(specialised(2 * floor(y)), 4);
+  EXPECT_EQ(specialised(apply(Operation::less, {x, 0}) + 1), 2);
+  EXPECT_EQ(specialised(y * (apply(Operation::less, {x, 0}) + 1)), 5);
+  EXPECT_EQ(specialised(3 - sign(x)), 4);
+}
+
 TEST(Specialization, DecidesNothingAboutTimeParametersDerivativesAndRFunctions) {
   const Box box = box_of(1, 2, 1, 2);
   const auto kept = [&](const Field& field) {
