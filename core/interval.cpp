@@ -89,13 +89,14 @@ Interval square(const Interval& a) {
   return positive(std::min(low, high), std::max(low, high), basic_margin);
 }
 
-Interval integer_power(const Interval& a, int exponent) {
-  if (exponent < 0) return Interval(1) / integer_power(a, -exponent);
+// a^exponent for a whole exponent of any size.
+static Interval whole_power(const Interval& a, double exponent) {
+  if (exponent < 0) return Interval(1) / whole_power(a, -exponent);
   if (exponent == 0) return 1;
   if (exponent == 1 || a.is_zero()) return a;
   if (exponent == 2) return square(a);
   const double low = std::pow(a.low, exponent), high = std::pow(a.high, exponent);
-  if (exponent % 2 != 0) {
+  if (std::fmod(exponent, 2) != 0) {
     Interval wide = library(low, high);
     if (low == 0 && a.low < 0) wide.low = -denormal;
     if (high == 0 && a.high > 0) wide.high = denormal;
@@ -105,7 +106,10 @@ Interval integer_power(const Interval& a, int exponent) {
   return positive(std::min(low, high), std::max(low, high), library_margin);
 }
 
+Interval integer_power(const Interval& a, int exponent) { return whole_power(a, exponent); }
+
 Interval power(const Interval& a, double exponent) {
+  if (exponent == std::floor(exponent)) return whole_power(a, exponent);
   if (a.high < 0) return Interval::entire();
   const double low = std::max(a.low, 0.0), high = a.high;
   const double p = std::pow(low, exponent), q = std::pow(high, exponent);

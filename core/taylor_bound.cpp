@@ -149,6 +149,12 @@ TaylorBound square(const TaylorBound& a) {
 }
 
 TaylorBound power(const TaylorBound& a, double e) {
+  // Whole exponents know negative arguments. Those so large that e − 2 is rounded do not count.
+  const bool whole = e == std::floor(e) && std::fabs(e) < 0x1p52;
+  if (whole && (e >= 2 || a.range.excludes_zero()))
+    return composed(a, std::pow(a.value, e), e * std::pow(a.value, e - 1),
+                    Interval(e) * (Interval(e) - Interval(1)) * power(a.range, e - 2),
+                    power(a.range, e), a.smooth);
   const bool regular = a.range.low > 0;
   const double f = std::pow(std::max(a.value, 0.0), e);
   const Interval range = power(a.range, e);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/operation_rules.hpp"
+#include "core/tape.hpp"
 
 namespace rfm {
 namespace {
@@ -101,6 +102,29 @@ TEST(TaylorBound, RFunctionsAreBoundedAroundTheirCorner) {
   EXPECT_LE(range.low, -0.1 * (2 + std::sqrt(2)));
   EXPECT_GE(range.high, 0.1 * (2 - std::sqrt(2)));
   EXPECT_LT(range.width(), 0.6);
+}
+
+TEST(TaylorBound, WholePowersBeyondTheTableOfIntegersKnowNegativeArguments) {
+  // 1 − x¹⁰⁰ − y¹⁰⁰ was taken for inside where x < −1.
+  const Field x = x_coordinate(), y = y_coordinate();
+  for (const double exponent : {65.0, 66.0, 100.0, -65.0, -66.0}) {
+    const Tape tape({pow(x, exponent) + y}, {1}, 2);
+    for (const double low : {-2.0, -1.1, 0.5, 0.9})
+      for (const double width : {0.0, 1e-3, 0.3, 3.0}) {
+        const Box box{2, {low, -0.1}, {low + width, 0.2}};
+        const auto bounds = tape.bounds(box);
+        for (int i = 0; i <= 20; ++i) {
+          const double at = low + width * i / 20;
+          if (at == 0) continue;
+          const double value = std::pow(at, exponent) + 0.2;
+          EXPECT_LE(bounds.value.low, value) << exponent << ' ' << low << ' ' << width;
+          EXPECT_GE(bounds.value.high, value) << exponent << ' ' << low << ' ' << width;
+          const double slope = exponent * std::pow(at, exponent - 1);
+          EXPECT_LE(bounds.gradient[0].low, slope) << exponent << ' ' << low << ' ' << width;
+          EXPECT_GE(bounds.gradient[0].high, slope) << exponent << ' ' << low << ' ' << width;
+        }
+      }
+  }
 }
 
 }  // namespace
