@@ -73,6 +73,27 @@ Region ellipse(const Point& center, const Point& radii, double angle) {
   return unnamed(normalize(level, 2), level, 2);
 }
 
+Region strip(const Point& point, const Point& normal, double width) {
+  require_positive(width, "the width of a strip");
+  const double length = std::hypot(normal[0], normal[1]);
+  require_positive(length, "the length of a normal");
+  const double nx = normal[0] / length, ny = normal[1] / length;
+  const Point back{point[0] - width / 2 * nx, point[1] - width / 2 * ny};
+  const Point forth{point[0] + width / 2 * nx, point[1] + width / 2 * ny};
+  return half_plane(back, {nx, ny}).named("low") & half_plane(forth, {-nx, -ny}).named("high");
+}
+
+Region sector(const Point& center, double radius, double from, double to, double inner_radius) {
+  require_positive(to - from, "the angle of a sector");
+  require_positive(2 * std::numbers::pi - (to - from), "360 degrees minus the angle of a sector");
+  require_positive(radius - inner_radius, "the radius of a sector minus the inner one");
+  const Region left = half_plane(center, {-std::sin(from), std::cos(from)}).named("from");
+  const Region right = half_plane(center, {std::sin(to), -std::cos(to)}).named("to");
+  const Region wedge = to - from <= std::numbers::pi ? left & right : left | right;
+  const Region disk = circle(center, radius).named("arc") & wedge;
+  return inner_radius > 0 ? disk - circle(center, inner_radius).named("inner") : disk;
+}
+
 Region box(const Point& min, const Point& max, int dimension) {
   constexpr const char* names[] = {"left", "right", "bottom", "top", "back", "front"};
   const auto side = [&](const char* name, const Field& distance) {

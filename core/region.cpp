@@ -8,11 +8,19 @@
 namespace rfm {
 
 Region::Region(Primitive primitive, int dimension)
+    : Region(dimension, {std::make_shared<const Primitive>(std::move(primitive))},
+             BooleanExpression::variable(0)) {}
+
+Region::Region(int dimension, std::vector<std::shared_ptr<const Primitive>> primitives,
+               BooleanExpression expression)
     : dimension_(dimension),
-      primitives_{std::make_shared<const Primitive>(std::move(primitive))},
-      expression_(BooleanExpression::variable(0)) {
+      primitives_(std::move(primitives)),
+      expression_(std::move(expression)) {
   if (dimension < 1 || dimension > 3)
     throw InvalidArgument("a region has 1 to 3 dimensions, got " + std::to_string(dimension));
+  if (expression_.variable_count() > static_cast<int>(primitives_.size()))
+    throw InvalidArgument("an expression of " + std::to_string(expression_.variable_count()) +
+                          " variables for " + std::to_string(primitives_.size()) + " primitives");
 }
 
 Region Region::named(const std::string& name) const {

@@ -31,6 +31,10 @@ struct Primitive {
 class Region {
  public:
   Region(Primitive primitive, int dimension);
+  /// Many primitives at once; variable v of the expression is the sign of primitives[v]. Throws
+  /// `InvalidArgument` if the expression has more variables than there are primitives.
+  Region(int dimension, std::vector<std::shared_ptr<const Primitive>> primitives,
+         BooleanExpression expression);
 
   int dimension() const { return dimension_; }
   const std::vector<std::shared_ptr<const Primitive>>& primitives() const { return primitives_; }
@@ -49,11 +53,6 @@ class Region {
   friend Region operator^(const Region& a, const Region& b);
 
  private:
-  Region(int dimension, std::vector<std::shared_ptr<const Primitive>> primitives,
-         BooleanExpression expression)
-      : dimension_(dimension),
-        primitives_(std::move(primitives)),
-        expression_(std::move(expression)) {}
   template <class Operator>
   static Region combined(const Region& a, const Region& b, Operator&& combine);
 

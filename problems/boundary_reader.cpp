@@ -59,6 +59,12 @@ BoundaryTarget BoundaryReader::target(const std::string& name, const Place& plac
   if (problem_.sets.contains(name))
     throw InputError("'" + name + "' is a set: conditions at sets are not supported yet", 0,
                      name.size());
+  if (const OutlineSide* side = shapes_.side(name)) {
+    for (const std::string& piece : side->pieces)
+      if (pieces_.contains(piece)) target.pieces.push_back(piece);
+    target.where = side->where;
+    if (!target.pieces.empty()) return target;
+  }
 
   const auto refuse = [&](const std::string& message) -> InputError {
     return InputError(message, 0, name.size());

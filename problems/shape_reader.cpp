@@ -9,6 +9,7 @@
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
 #include "problems/exact_shapes.hpp"
+#include "problems/outline_reader.hpp"
 #include "problems/reserved_names.hpp"
 
 namespace rfm {
@@ -154,6 +155,32 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     return Point{1, 0, 0};
   };
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (OutlineReader::reads(kind)) {
+    const auto outline = OutlineReader(values_).read(kind, node);
+    if (!outline) return stand_in_shape(2);
+    for (OutlineSide side : outline->sides) {
+      for (std::string& piece : side.pieces) piece = building_.back() + "." + piece;
+      side.name = building_.back() + "." + side.name;
+      sides_.emplace(side.name, side);
+    }
+    return outline->region;
+  }
+  if (kind == "strip")
+    return strip(point("point", {0, 0}), direction(node, "normal"), number("width", 1));
+  if (kind == "sector") {
+    const double radius = number("radius", 1), inner = number("inner_radius", 0);
+    const double from = number("from", 0), to = number("to", 90);
+    if (inner >= radius)
+      values_.mistakes.add("the inner radius of a sector must be smaller than its radius",
+                           values_.find(node, "inner_radius")->place);
+    else if (!(to > from && to < from + 360))
+      values_.mistakes.add("a sector goes from one angle to a larger one, by less than 360 degrees",
+                           values_.find(node, "to")->place);
+    else
+      return sector(point("center", {0, 0}), radius, from * std::numbers::pi / 180,
+                    to * std::numbers::pi / 180, inner);
+    return stand_in_shape(2);
+  }
   if (kind == "half_plane") return half_plane(point("point", {0, 0}), direction(node, "normal"));
   if (kind == "half_space") return half_space(point("point", {0, 0}), direction(node, "normal"));
   if (kind == "sphere") return sphere(point("center", {0, 0}), number("radius", 1));
@@ -202,6 +229,11 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
   if (kind == "extrusion" || kind == "revolution" || kind == "transform")
     return derived_shape(kind, node);
   throw InvalidArgument("shapes of kind " + kind + " cannot be built");
+}
+
+const OutlineSide* ShapeReader::side(const std::string& name) const {
+  const auto side = sides_.find(name);
+  return side == sides_.end() ? nullptr : &side->second;
 }
 
 ExpressionFunction ShapeReader::omega() {

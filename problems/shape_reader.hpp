@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/boolean_text.hpp"
+#include "core/outline.hpp"
 #include "core/region.hpp"
 #include "problems/set_reader.hpp"
 #include "problems/value_reader.hpp"
@@ -42,6 +43,8 @@ class ShapeReader {
   const std::map<std::string, Region>& shapes() const { return built_; }
   /// Nothing if the domain has a mistake.
   const std::optional<Region>& domain() const { return domain_; }
+  /// A side that is no primitive of its own: part of one, or several.
+  const OutlineSide* side(const std::string& name) const;
   /// `omega(name)` without this reader, for the problem.
   ExpressionFunction final_omega() const;
 
@@ -69,6 +72,7 @@ class ShapeReader {
   std::map<std::string, const DocumentNode*> nodes_;
   std::map<std::string, Place> key_places_;
   std::map<std::string, Region> built_;
+  std::map<std::string, OutlineSide> sides_;
   std::vector<std::string> building_;
   std::map<std::string, std::set<std::string>> names_in_;  ///< "": named outside of shapes
   std::optional<Region> domain_;

@@ -1,10 +1,6 @@
 #include "problems/table_reader.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,50 +10,10 @@
 
 #include "core/error.hpp"
 #include "core/table.hpp"
+#include "problems/text_files.hpp"
 
 namespace rfm {
 namespace {
-
-constexpr std::uintmax_t largest_file = 16 << 20;
-
-std::vector<std::string_view> words_of_line(std::string_view line) {
-  constexpr std::string_view separators = " \t\r,;";
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t begin = line.find_first_not_of(separators);
-    if (begin == std::string_view::npos) return words;
-    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    line.remove_prefix(end);
-  }
-}
-
-std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (status != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
-std::string read_file(const std::filesystem::path& path, const std::string& name) {
-  std::error_code failure;
-  const std::uintmax_t size = std::filesystem::file_size(path, failure);
-  std::ifstream stream(path, std::ios::binary);
-  if (failure || !stream)
-    throw InputError("cannot read the file '" + name + "' beside the problem file", 0);
-  if (size > largest_file) throw InputError("the file '" + name + "' is larger than 16 MB", 0);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-// Whether a path stays in the folder that it is relative to.
-bool is_inside(const std::filesystem::path& path) {
-  if (path.empty() || path.has_root_path()) return false;
-  return std::ranges::find(path, "..") == path.end();
-}
 
 class TableFiles {
  public:
@@ -97,10 +53,8 @@ class TableFiles {
   const TablePoints& read(const std::string& name) {
     const auto known = files_.find(name);
     if (known != files_.end()) return known->second;
-    if (!is_inside(name))
-      throw InputError("the file of a table must lie in the folder of the problem file", 0);
-    const std::filesystem::path path = std::filesystem::path(folder_) / name;
-    return files_.emplace(name, parse_table(read_file(path, name), name)).first->second;
+    const std::string text = read_text_beside(folder_, name, "a table");
+    return files_.emplace(name, parse_table(text, name)).first->second;
   }
 
   std::string folder_;
@@ -114,10 +68,8 @@ TablePoints parse_table(const std::string& text, const std::string& name) {
   bool may_be_titles = true;
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // written by some spreadsheets
-  for (int line = 1; !rest.empty(); ++line) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::vector<std::string_view> words = words_of_line(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  for (int line = 1; const auto content = next_line(rest); ++line) {
+    const std::vector<std::string_view> words = words_of_line(*content);
     if (words.empty() || words[0].starts_with('#')) continue;
     const auto refuse = [&](const std::string& what) {
       throw InputError(name + ":" + std::to_string(line) + ": " + what, 0);

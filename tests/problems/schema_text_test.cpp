@@ -20,7 +20,7 @@ TEST(ExplainKey, TellsWhatTheTableKnows) {
   EXPECT_THAT(explain_key("discretization.basis.cells"), HasSubstr("default: 64"));
   EXPECT_THAT(explain_key("physics.type"), HasSubstr("words: poisson, heat\n"));
   EXPECT_THAT(explain_key("physics.conductivity"), HasSubstr("goes with: heat"));
-  EXPECT_THAT(explain_key("geometry.shapes.polygon"), HasSubstr("(not supported yet)"));
+  EXPECT_THAT(explain_key("geometry.shapes.blend"), HasSubstr("(not supported yet)"));
 }
 TEST(ExplainKey, TakesPathsAsInFiles) {
   EXPECT_EQ(explain_key("geometry.shapes.hole.circle.radius"), explain_key("circle.radius"));
@@ -108,7 +108,8 @@ TEST(JsonSchema, DescribesWhatIsSupportedAndNothingElse) {
   const auto& shape =
       schema["properties"]["geometry"]["properties"]["shapes"]["additionalProperties"];
   EXPECT_TRUE(shape["properties"].contains("circle"));
-  EXPECT_FALSE(shape["properties"].contains("polygon"));
+  EXPECT_TRUE(shape["properties"].contains("polygon"));
+  EXPECT_FALSE(shape["properties"].contains("blend"));
   EXPECT_EQ(shape["oneOf"].size(), shape["properties"].size());
   const auto& type = schema["properties"]["physics"]["properties"]["type"];
   EXPECT_EQ(type["enum"], nlohmann::json::parse(R"(["poisson", "heat"])"));

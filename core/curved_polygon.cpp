@@ -1,0 +1,329 @@
+#include "core/curved_polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/contour.hpp"
+#include "core/contour_nesting.hpp"
+#include "core/curve_division.hpp"
+#include "core/error.hpp"
+#include "core/line_groups.hpp"
+#include "core/polygon_chains.hpp"
+#include "core/primitives.hpp"
+
+namespace rfm {
+namespace {
+
+// An edge as it was given, with what names and functions need.
+struct Edge {
+  std::string name;
+  int contour = 0;
+  CurvePiece whole;               ///< of an arc beyond a semicircle, its first half
+  std::optional<Point> center{};  ///< of a circular arc
+  double radius = 0;
+  Point from{}, to{};
+};
+
+std::vector<CurvePiece> pieces_of(const Point& from, const Point& to, const EdgeCurve& curve,
+                                  int number, Edge& edge) {
+  edge.from = from;
+  edge.to = to;
+  if (curve.conic) {
+    const CurvePiece piece =
+        CurvePiece::conic(from, curve.conic->control, curve.conic->weight, to, number);
+    return {edge.whole = piece};
+  }
+  const double b = curve.bulge;
+  if (b == 0) return {edge.whole = CurvePiece::straight(from, to, number)};
+  // The centre lies at (1 − b²) / 4b chords to the left of the chord's middle.
+  const double shift = (1 - b * b) / (4 * b), dx = to[0] - from[0], dy = to[1] - from[1];
+  edge.center = Point{(from[0] + to[0]) / 2 - shift * dy, (from[1] + to[1]) / 2 + shift * dx};
+  edge.radius = std::hypot(dx, dy) * (1 + b * b) / (4 * std::fabs(b));
+  if (std::fabs(b) <= 1) return {edge.whole = CurvePiece::arc(from, to, b, number)};
+  const Point middle{(from[0] + to[0]) / 2 + b / 2 * dy, (from[1] + to[1]) / 2 - b / 2 * dx};
+  const double half = std::tan(std::atan(b) / 2);
+  edge.whole = CurvePiece::arc(from, middle, half, number);
+  return {edge.whole, CurvePiece::arc(middle, to, half, number)};
+}
+
+std::vector<Point> outline_of(const std::vector<CurvePiece>& pieces) {
+  std::vector<Point> points;
+  for (const CurvePiece& piece : pieces) {
+    const auto corners = piece.hull();
+    points.push_back(piece.from);
+    if (!piece.is_straight()) points.insert(points.end(), {corners[1], piece.middle(), corners[2]});
+  }
+  return points;
+}
+
+// The contour as pieces, counter-clockwise.
+std::vector<CurvePiece> cleaned(const CurvedContour& contour, int number,
+                                std::vector<Edge>& edges) {
+  std::vector<CurvePiece> pieces;
+  const std::size_t count = contour.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point &from = contour.points[i], &to = contour.points[(i + 1) % count];
+    const EdgeCurve curve = i < contour.edges.size() ? contour.edges[i] : EdgeCurve{};
+    const std::string name = contour.prefix + "edge" + std::to_string(i + 1);
+    if (!std::isfinite(from[0]) || !std::isfinite(from[1]) || !std::isfinite(curve.bulge))
+      throw InvalidArgument("the numbers of " + name + " are not finite");
+    if (curve.conic && !(curve.conic->weight > 0 && curve.conic->weight < 1e6))
+      throw InvalidArgument("the weight of " + name + " must be positive");
+    if (from == to) continue;
+    edges.push_back({name, number, {}});
+    const auto more = pieces_of(from, to, curve, static_cast<int>(edges.size()) - 1, edges.back());
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  if (pieces.size() < 2)
+    throw InvalidArgument("a curved polygon needs at least two different points");
+  const double area = twice_area(outline_of(pieces));
+  if (area == 0) throw InvalidArgument("the curved polygon has no area");
+  if (area < 0) {
+    std::ranges::reverse(pieces);
+    for (CurvePiece& piece : pieces) piece = piece.reversed();
+  }
+  return pieces;
+}
+
+// Primitives and expressions of a curved polygon.
+class CurvedPolygonBuilder {
+ public:
+  CurvedPolygonBuilder(std::vector<Edge> edges, std::vector<std::vector<ContourLink>> contours)
+      : edges_(std::move(edges)), contours_(std::move(contours)) {}
+
+  // Nothing if arcs have to be divided: see `blocking`.
+  std::optional<std::vector<BooleanExpression>> run() {
+    add_lines();
+    std::vector<BooleanExpression> expressions;
+    std::size_t line = 0;
+    for (std::size_t c = 0; c < contours_.size(); ++c) {
+      const auto& links = contours_[c];
+      std::vector<Point> vertices;
+      std::vector<BooleanExpression> leaves;
+      std::vector<CurveHull> hulls;
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = 0; i < links.size(); ++i) {
+        const ContourLink& link = links[i];
+        const ContourLink& before = links[(i + links.size() - 1) % links.size()];
+        const int group = lines_.group[line + i];
+        const bool straight_on =
+            group == lines_.group[line + (i + links.size() - 1) % links.size()];
+        if (straight_on && link.piece.is_straight() && before.piece.is_straight()) continue;
+        vertices.push_back(link.start);
+        leaves.push_back(leaf(link, BooleanExpression::variable(group)));
+        hulls.emplace_back();
+        if (!link.piece.is_straight()) hulls.back() = link.piece.hull();
+        numbers.push_back(i);
+      }
+      line += links.size();
+      const CurvedChains chains = curved_chain_expression(vertices, leaves, hulls);
+      for (const int edge : chains.blocking)
+        blocking_.push_back({c, links[numbers[edge]].piece.from});
+      expressions.push_back(chains.expression);
+    }
+    if (!blocking_.empty()) return std::nullopt;
+    return expressions;
+  }
+
+  /// The contours and beginnings of pieces that have to be divided.
+  const std::vector<std::pair<std::size_t, Point>>& blocking() const { return blocking_; }
+
+  std::vector<std::shared_ptr<const Primitive>> primitives() {
+    std::vector<std::shared_ptr<const Primitive>> list;
+    for (const Primitive& primitive : primitives_)
+      list.push_back(std::make_shared<const Primitive>(primitive));
+    return list;
+  }
+
+  // Sides that are parts of a primitive.
+  std::vector<OutlineSide> sides() const {
+    std::vector<OutlineSide> sides;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Primitive& primitive = primitives_[curve_of_.at(static_cast<int>(e))];
+      if (primitive.name != edges_[e].name)
+        sides.push_back({edges_[e].name, {primitive.name}, part(edges_[e])});
+    }
+    return sides;
+  }
+
+ private:
+  // Chords of all links, grouped by line; a group without a straight edge is a separator.
+  void add_lines() {
+    std::vector<Segment> segments;
+    std::vector<const ContourLink*> links;
+    for (const auto& contour : contours_)
+      for (const ContourLink& link : contour) {
+        segments.push_back({link.piece.from, link.piece.to});
+        links.push_back(&link);
+      }
+    lines_ = group_by_line(segments);
+    for (std::size_t g = 0; g < lines_.members.size(); ++g) {
+      std::set<int> straight;
+      for (const int i : lines_.members[g])
+        if (links[i]->piece.is_straight() && !links[i]->is_tangent)
+          straight.insert(links[i]->piece.edge);
+      const auto& [from, to] = lines_.lines[g];
+      Primitive primitive = *half_plane(from, {from[1] - to[1], to[0] - from[0]}).primitives()[0];
+      primitive.selects_only = straight.empty();
+      const int first =
+          straight.empty() ? links[lines_.members[g][0]]->piece.edge : *straight.begin();
+      primitive.name = edges_[first].name;
+      if (straight.empty()) primitive.name += "_separator" + std::to_string(g + 1);
+      if (straight.size() > 1) primitive.name += "_line";
+      for (const int edge : straight) curve_of_[edge] = static_cast<int>(g);
+      primitives_.push_back(std::move(primitive));
+    }
+  }
+
+  BooleanExpression leaf(const ContourLink& link, const BooleanExpression& chord) {
+    const CurvePiece& piece = link.piece;
+    if (piece.is_straight()) return chord;
+    const int number = curve(piece.edge);
+    BooleanExpression inside = BooleanExpression::variable(number);
+    if (const int branch = branch_of_[number]; branch >= 0)
+      inside = inside & BooleanExpression::variable(branch);
+    if (piece.turn < 0) return chord & !inside;
+    if (edges_[piece.edge].center && holds_everything(number)) return inside;
+    return chord | inside;
+  }
+
+  // Whether all pieces lie inside a circle.
+  bool holds_everything(int primitive) const {
+    const LevelFunction level(primitives_[primitive].level, 2);
+    for (const auto& contour : contours_)
+      for (const ContourLink& link : contour) {
+        const auto own = curve_of_.find(link.piece.edge);
+        if (link.is_tangent || (own != curve_of_.end() && own->second == primitive)) continue;
+        for (const Point& corner : link.piece.hull()) {
+          const double size = std::hypot(corner[0], corner[1]) + 1;
+          if (level.value(corner) < -1e-14 * size) return false;
+        }
+      }
+    return true;
+  }
+
+  // The primitive of a curved edge: its own, or that of an edge on the same circle.
+  int curve(int number) {
+    if (const auto known = curve_of_.find(number); known != curve_of_.end()) return known->second;
+    const Edge& edge = edges_[number];
+    const int next = static_cast<int>(primitives_.size());
+    if (edge.center) {
+      for (const auto& [other, primitive] : curve_of_)
+        if (same_circle(edge, edges_[other])) {
+          if (!primitives_[primitive].name.ends_with("_line"))
+            primitives_[primitive].name += "_line";
+          return curve_of_[number] = primitive;
+        }
+      primitives_.push_back(*circle(*edge.center, edge.radius).primitives()[0]);
+    } else {
+      primitives_.push_back(conic_primitive(edge.whole));
+    }
+    primitives_.back().name = edge.name;
+    branch_of_[next] = -1;
+    if (!edge.center && edge.whole.weight > 1) {
+      branch_of_[next] = next + 1;
+      primitives_.push_back(branch(edge.whole));
+      primitives_.back().name = edge.name + "_branch";
+    }
+    return curve_of_[number] = next;
+  }
+
+  static bool same_circle(const Edge& a, const Edge& b) {
+    if (!a.center || !b.center) return false;
+    const double distance =
+        std::hypot((*a.center)[0] - (*b.center)[0], (*a.center)[1] - (*b.center)[1]);
+    return distance + std::fabs(a.radius - b.radius) <= 1e-13 * (a.radius + b.radius);
+  }
+
+  // Barycentric coordinates a, c with respect to the ends and b = 1 − a − c to the control point.
+  struct Barycentric {
+    Field a, b, c;
+    explicit Barycentric(const CurvePiece& piece) : a(0.0), b(0.0), c(0.0) {
+      const Point p = piece.from, r = piece.to;
+      const Point q{piece.weighted_control[0] / piece.weight,
+                    piece.weighted_control[1] / piece.weight};
+      const auto ratio = [&](const Point& u, const Point& v, const Point& one) {
+        const double area = cross({v[0] - u[0], v[1] - u[1]}, {one[0] - u[0], one[1] - u[1]});
+        return (v[0] - u[0]) / area * (y_coordinate() - u[1]) -
+               (v[1] - u[1]) / area * (x_coordinate() - u[0]);
+      };
+      a = ratio(q, r, p);
+      b = ratio(p, r, q);
+      c = ratio(p, q, r);
+    }
+  };
+  // 4 w² a c − b²: zero on the conic, positive on the side of its chord.
+  static Primitive conic_primitive(const CurvePiece& piece) {
+    const Barycentric place(piece);
+    const double w = piece.weight;
+    const Field level = 4 * w * w * (place.a * place.c) - place.b * place.b;
+    return {"", normalize(level, 2), level};
+  }
+  // Of the two branches of a hyperbola this one.
+  static Primitive branch(const CurvePiece& piece) {
+    const Barycentric place(piece);
+    const Field level = 1.0 - place.b;
+    return {"", normalize(level, 2), level, true};
+  }
+
+  static Field part(const Edge& edge) {
+    const Field x = x_coordinate(), y = y_coordinate();
+    const Point &p = edge.from, &q = edge.to;
+    if (edge.center)  // of its circle, the part beyond the chord
+      return ((y - p[1]) * (q[0] - p[0]) - (x - p[0]) * (q[1] - p[1])) *
+             (edge.whole.turn > 0 ? -1.0 : 1.0);
+    return (x - p[0]) * (q[0] - x) + (y - p[1]) * (q[1] - y);
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<std::vector<ContourLink>> contours_;
+  LineGroups lines_;
+  std::vector<Primitive> primitives_;
+  std::vector<std::pair<std::size_t, Point>> blocking_;
+  std::map<int, int> curve_of_;   // of an edge, its primitive
+  std::map<int, int> branch_of_;  // of a conic, the separator of its branches, or −1
+};
+
+}  // namespace
+
+Outline curved_polygon(const std::vector<CurvedContour>& contours) {
+  if (contours.empty()) throw InvalidArgument("a curved polygon needs a contour");
+  std::vector<Edge> edges;
+  std::vector<std::vector<CurvePiece>> pieces;
+  for (std::size_t c = 0; c < contours.size(); ++c)
+    pieces.push_back(cleaned(contours[c], static_cast<int>(c), edges));
+  std::vector<std::string> names;
+  for (const Edge& edge : edges) names.push_back(edge.name);
+  constexpr int most_rounds = 12;
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto links = divided(pieces, names);
+    CurvedPolygonBuilder builder(edges, links);
+    const auto expressions = builder.run();
+    if (expressions) {
+      std::vector<std::vector<Point>> chords;
+      for (const auto& contour : links)
+        for (auto& points = chords.emplace_back(); const ContourLink& link : contour)
+          points.push_back(link.start);
+      std::vector<OutlineSide> sides = builder.sides();
+      return {Region(2, builder.primitives(), nested_expression(chords, *expressions)),
+              std::move(sides)};
+    }
+    for (std::size_t c = 0; c < pieces.size(); ++c) {
+      pieces[c].clear();
+      for (const ContourLink& link : links[c]) {
+        if (link.is_tangent) continue;
+        if (std::ranges::find(builder.blocking(), std::pair(c, link.piece.from)) ==
+            builder.blocking().end()) {
+          pieces[c].push_back(link.piece);
+        } else {
+          for (const CurvePiece& half : link.piece.halves()) pieces[c].push_back(half);
+        }
+      }
+    }
+  }
+  throw InvalidArgument("edges of the curved polygon nearly touch each other");
+}
+
+}  // namespace rfm

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/outline.hpp"
+
+namespace rfm {
+
+/// How a corner is joined to the next one.
+struct EdgeCurve {
+  /// Of a circular arc: the tangent of a quarter of its angle, positive where it runs
+  /// counter-clockwise (as in DXF); 0 is straight, 1 a semicircle.
+  double bulge = 0;
+  /// Of a conic: the point where the tangents at its ends meet, and the weight of the rational
+  /// quadratic Bézier curve: an arc of an ellipse below 1, of a parabola at 1, of a hyperbola
+  /// above.
+  struct Conic {
+    Point control{};
+    double weight = 1;
+  };
+  std::optional<Conic> conic = {};
+};
+
+/// A closed contour of straight and curved edges: edges[i] joins points[i] and points[i + 1].
+struct CurvedContour {
+  std::vector<Point> points;
+  std::vector<EdgeCurve> edges;
+  std::string prefix = {};
+};
+
+/// The inside of simple contours with curved edges, which may lie in each other (holes, islands),
+/// either way round: see `polygon` for names and nesting.
+///
+/// The polygon of the chords is a Boolean expression with each chord once (`chain_expression`). The
+/// chord h ≥ 0 of an arc is then replaced by h ∪ c where the arc bulges outward and by h ∩ ¬c where
+/// it bulges inward, c being the inside of its circle or conic (theorem 6 of Shapiro 2007; Shapiro
+/// & Vossler 1991): beyond the ends of the arc its chord goes on as that of a polygon does, and
+/// nothing vanishes inside. Arcs are divided, with a separator for each part, until the triangles
+/// that hold them do not meet other edges and each corner turns as its chords do; where two arcs
+/// pass into each other with a common tangent and opposite curvature, the tangent is a further
+/// separator. Separators bound nothing but single points. Where the whole region lies inside c, the
+/// chord is left out.
+///
+/// Functions of arcs are those of `circle` and normalised conics; edges on one circle share it.
+///
+/// Throws `InvalidArgument` for bulges and weights that are not finite, weights that are not
+/// positive, and edges that cross, touch, or come closer than about 10⁻³ of their length.
+Outline curved_polygon(const std::vector<CurvedContour>& contours);
+
+}  // namespace rfm

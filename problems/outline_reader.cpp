@@ -1,0 +1,128 @@
+#include "problems/outline_reader.hpp"
+
+#include <filesystem>
+
+#include "core/contour.hpp"
+#include "core/curved_polygon.hpp"
+#include "core/polygon.hpp"
+#include "problems/point_files.hpp"
+#include "problems/text_files.hpp"
+
+namespace rfm {
+namespace {
+
+// Lists of points of one shape: the first is its outline.
+class PointReader {
+ public:
+  PointReader(const ValueReader& values, const DocumentNode& node) : values_(values), node_(node) {}
+
+  std::optional<std::vector<PointList>> read() const {
+    if (const DocumentNode* file = values_.find(node_, "file")) return from_file(*file);
+    const DocumentNode* points = values_.find(node_, "points");
+    if (!points) return std::nullopt;
+    std::vector<PointList> lists;
+    if (!add(*points, lists)) return std::nullopt;
+    return lists;
+  }
+
+  bool add(const DocumentNode& list, std::vector<PointList>& lists) const {
+    PointList& added = lists.emplace_back();
+    for (const DocumentNode& item : list.items) {
+      const DocumentNode* at = item.is_map() ? values_.find(item, "at") : &item;
+      const auto point = at ? values_.point(*at) : std::nullopt;
+      if (!point) return false;
+      added.points.push_back(*point);
+      const DocumentNode* bulge = item.is_map() ? values_.find(item, "bulge") : nullptr;
+      added.bulges.push_back(bulge ? values_.number(*bulge).value_or(0) : 0);
+    }
+    return true;
+  }
+
+ private:
+  std::optional<std::vector<PointList>> from_file(const DocumentNode& file) const {
+    const auto read = [&] {
+      const std::string& name = file.place.source ? file.place.source->name : std::string();
+      const auto folder = std::filesystem::path(name).parent_path().string();
+      return parse_points(read_text_beside(folder, file.text, "a shape"), file.text);
+    };
+    try {
+      return read();
+    } catch (const InputError& mistake) {
+      values_.mistakes.add(mistake.what(), file.place);
+      return std::nullopt;
+    }
+  }
+
+  const ValueReader& values_;
+  const DocumentNode& node_;
+};
+
+// hole1_, hole2_, … of a map, contour2_, … of a file.
+std::string prefix_of(std::size_t contour, bool of_file) {
+  if (contour == 0) return "";
+  return of_file ? "contour" + std::to_string(contour + 1) + "_"
+                 : "hole" + std::to_string(contour) + "_";
+}
+
+CurvedContour curved(const PointList& list, std::string prefix) {
+  CurvedContour contour{list.points, {}, std::move(prefix)};
+  for (const double bulge : list.bulges) contour.edges.push_back({bulge, {}});
+  return contour;
+}
+
+EdgeCurve edge_of(const DocumentNode& item, double bulge, const ValueReader& values) {
+  EdgeCurve edge{bulge, {}};
+  const DocumentNode* conic = item.is_map() ? values.find(item, "conic") : nullptr;
+  if (!conic) return edge;
+  const DocumentNode* control = values.find(*conic, "control");
+  const DocumentNode* weight = values.find(*conic, "weight");
+  edge.conic = EdgeCurve::Conic{control ? values.point(*control).value_or(Point{}) : Point{},
+                                weight ? values.number(*weight).value_or(1) : 1};
+  return edge;
+}
+
+}  // namespace
+
+bool OutlineReader::reads(const std::string& kind) {
+  return kind == "polygon" || kind == "curved_polygon";
+}
+
+std::optional<Outline> OutlineReader::read(const std::string& kind,
+                                           const DocumentNode& node) const {
+  const PointReader reader(values_, node);
+  auto lists = reader.read();
+  if (!lists) return std::nullopt;
+  const bool of_file = values_.find(node, "file") != nullptr;
+  const DocumentNode* holes = values_.find(node, "holes");
+  if (holes)
+    for (const DocumentNode& hole : holes->items) {
+      if (!reader.add(hole, *lists)) return std::nullopt;
+      if (!winds_around(lists->front().points,
+                        lists->back().points.empty() ? Point{} : lists->back().points[0]) &&
+          kind == "polygon") {
+        values_.mistakes.add("this hole does not begin inside the polygon", hole.place);
+        return std::nullopt;
+      }
+    }
+  const DocumentNode* where = values_.find(node, of_file ? "file" : "points");
+  try {
+    if (kind == "polygon") {
+      std::vector<Contour> contours;
+      for (std::size_t c = 0; c < lists->size(); ++c)
+        contours.push_back({(*lists)[c].points, prefix_of(c, of_file && !holes)});
+      return polygon(contours);
+    }
+    std::vector<CurvedContour> contours;
+    for (std::size_t c = 0; c < lists->size(); ++c)
+      contours.push_back(curved((*lists)[c], prefix_of(c, of_file && !holes)));
+    if (!of_file)
+      for (std::size_t i = 0; i < where->items.size(); ++i)
+        contours[0].edges[i] = edge_of(where->items[i], contours[0].edges[i].bulge, values_);
+    return curved_polygon(contours);
+  } catch (const InvalidArgument& error) {
+    values_.mistakes.add(error.what(), where->place);
+    return std::nullopt;
+  }
+}
+
+}  // namespace rfm

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/outline.hpp"
+#include "problems/value_reader.hpp"
+
+namespace rfm {
+
+/// Reads shapes that are given by lists of points, in the file or in files of their own beside it.
+class OutlineReader {
+ public:
+  /// Refers to `values`.
+  explicit OutlineReader(const ValueReader& values) : values_(values) {}
+
+  static bool reads(const std::string& kind);
+  /// The shape of this kind; nothing if it has a mistake, which is reported.
+  std::optional<Outline> read(const std::string& kind, const DocumentNode& node) const;
+
+ private:
+  const ValueReader& values_;
+};
+
+}  // namespace rfm
