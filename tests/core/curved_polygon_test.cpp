@@ -176,7 +176,18 @@ TEST(CurvedPolygons, ThatAreNotSimpleAreRefused) {
   refused({{{0, 0}, {0, 0}}, {{1.0}, {1.0}}}, "two different points");
 }
 
-// Stars with edges of any curvature that leaves them simple, and polygons with rounded corners.
+bool crosses_itself(const CurvedContour& contour, int count) {
+  const std::vector<Point> fine = traced(contour, count);
+  std::vector<Segment> segments;
+  std::vector<int> next;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    segments.push_back({fine[i], fine[(i + 1) % fine.size()]});
+    next.push_back(static_cast<int>((i + 1) % fine.size()));
+  }
+  return intersecting_pair(segments, next).has_value();
+}
+
+// Stars with edges of any curvature that leaves them simple, as far as 200 chords per edge show.
 CurvedContour random_contour(RandomPolygons& random) {
   while (true) {
     CurvedContour contour;
@@ -184,18 +195,11 @@ CurvedContour random_contour(RandomPolygons& random) {
     if (contour.points.size() > 14) contour.points.resize(14);
     for (std::size_t i = 0; i < contour.points.size(); ++i)
       contour.edges.push_back({random.real(0, 1) < 0.3 ? 0 : random.real(-0.8, 0.8)});
-    const std::vector<Point> fine = traced(contour, 200);
-    std::vector<Segment> segments;
-    std::vector<int> next;
-    for (std::size_t i = 0; i < fine.size(); ++i) {
-      segments.push_back({fine[i], fine[(i + 1) % fine.size()]});
-      next.push_back(static_cast<int>((i + 1) % fine.size()));
-    }
-    if (intersecting_pair(segments, next)) continue;
-    return contour;
+    if (!crosses_itself(contour, 200)) return contour;
   }
 }
 
+// What is refused crosses itself beside a corner, closer than the generator can see.
 void agree(int count) {
   RandomPolygons random(23);
   for (int i = 0; i < count; ++i) {
@@ -203,7 +207,7 @@ void agree(int count) {
     try {
       expect_right(contour, random, 200);
     } catch (const InvalidArgument& error) {
-      FAIL() << "contour " << i << ": " << error.what();
+      EXPECT_TRUE(crosses_itself(contour, 20000)) << "contour " << i << ": " << error.what();
     }
     if (testing::Test::HasFatalFailure()) FAIL() << "contour " << i;
   }
