@@ -34,8 +34,8 @@ Side side_of(int primitive, const RegionEvaluator& region);
 /// its negative side, chosen point by point where it lies on both.
 Field outward_sign(int primitive, const RegionEvaluator& region);
 
-/// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, the opposite where the region
-/// lies on its negative side, chosen point by point where it lies on both.
+/// The outward unit normal of a primitive's piece as fields: −∇γ/|∇γ|, the opposite where the
+/// region lies on its negative side, chosen point by point where it lies on both.
 std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region);
 
 /// The piece of primitive `primitive`. Whether the piece is empty is not decided here (its measure

@@ -40,8 +40,8 @@ nlohmann::ordered_json make_summary(const ScalarProblem& problem, const ScalarSo
                                     const RunReport& report);
 void add_expectations(nlohmann::ordered_json& summary, const RunReport& report);
 
-/// The values of line probes, one per row: probe, x, y, z, quantity, value. Points outside the domain
-/// have no rows. Empty without line probes.
+/// The values of line probes, one per row: probe, x, y, z, quantity, value. Points outside the
+/// domain have no rows. Empty without line probes.
 std::string probes_csv(const std::vector<ProbeResult>& probes);
 
 }  // namespace rfm

@@ -138,7 +138,8 @@ void expect_same_as_compiled() {
         if (std::isnan(expected.c[i]))
           EXPECT_TRUE(std::isnan(coefficient(found, i))) << row.identifier;
         else
-          EXPECT_NEAR(coefficient(found, i), expected.c[i], 1e-14 * scale) << row.identifier << " " << i;
+          EXPECT_NEAR(coefficient(found, i), expected.c[i], 1e-14 * scale)
+              << row.identifier << " " << i;
       }
     }
 }

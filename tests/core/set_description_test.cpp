@@ -87,8 +87,8 @@ TEST(SetDescription, OfFigure59NeedsNoChords) {
 }
 
 TEST(SetDescription, OfFigure58NeedsASeparator) {
-  // As there, one cell of the boundary's primitives is inside in one part and outside in another: the
-  // half of a ring that a line cuts off, described by its circles only.
+  // As there, one cell of the boundary's primitives is inside in one part and outside in another:
+  // the half of a ring that a line cuts off, described by its circles only.
   const Region ring = circle({0, 0}, 2).named("outer") - circle({0, 0}, 1).named("inner");
   const Region half = ring & half_plane({0, 0}, {0, 1}).named("line");
   const RegionEvaluator region(half);
