@@ -54,8 +54,11 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
            cells, problem.problem().discretization.degree, quadrature.inside_cells,
            quadrature.cut_cells, quadrature.smallest_cut_fraction, solution.unknowns);
   if (quadrature.uncertified.boxes > 0)
-    log.line("note: quadrature is a best effort in {} boxes of total measure {:.1e}",
-             quadrature.uncertified.boxes, quadrature.uncertified.measure);
+    log.line(
+        "note: quadrature is a best effort in {} boxes of total measure {:.1e}, with "
+        "{:.1e} of the boundary",
+        quadrature.uncertified.boxes, quadrature.uncertified.measure,
+        quadrature.uncertified.boundary);
   log.line("measures: domain {:.12g}, boundary {:.12g}; divergence theorem holds to {:.1e}",
            solution.rule.measure(), solution.rule.boundary_measure(), quadrature.divergence_defect);
   log.line("solved: linear residual {:.1e}, boundary residual {:.1e}, energy {:.12g}",

@@ -130,6 +130,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   }
   summary["trust"] = {{"divergence_defect", quadrature.divergence_defect},
                       {"uncertified_measure", quadrature.uncertified.measure},
+                      {"uncertified_boundary", quadrature.uncertified.boundary},
                       {"linear_residual", solution.linear.relative_residual},
                       {"linear_solver", method_name(solution.linear.method)},
                       {"dropped_splines", solution.linear.dropped}};

@@ -93,28 +93,38 @@ class RuleBuilder : public PartVisitor {
                     [&](const Point& point, double weight) { sink_.volume_point(point, weight); });
     rule_.measure.volume += box.measure();
     rule_.other_measure.volume += box.measure();
+    boundary_before_ = rule_.measure.boundary;
   }
   void reduced(const ActiveSet& active, const LineSegment& line) override {
-    sink_.frame = nullptr;
+    begin_part(nullptr);
     points_.add_line(active, 0, line, 1);
     if (compare_) others_.add_line(active, 0, line, 1);
   }
   void reduced(const Reduction2D& reduction) override {
-    sink_.frame = reduction.frame();
+    begin_part(reduction.frame());
     points_.add_plane(reduction, 1);
     if (compare_) others_.add_plane(reduction, 1);
   }
   void reduced(Reduction3D& reduction) override {
-    sink_.frame = nullptr;
+    begin_part(nullptr);
     points_.add_space(reduction);
     if (compare_) others_.add_space(reduction);
   }
+  void not_certified() override {
+    rule_.uncertified.boundary += rule_.measure.boundary - boundary_before_;
+  }
 
  private:
+  void begin_part(const Frame* frame) {
+    sink_.frame = frame;
+    boundary_before_ = rule_.measure.boundary;
+  }
+
   const Box& cell_;
   const GaussRule& inside_gauss_;
   CellRule& rule_;
   PointSink sink_;
+  double boundary_before_ = 0;  // of the part that is being made
   IteratedRule<PointSink> points_;
   bool compare_;
   MeasureSink other_sink_;

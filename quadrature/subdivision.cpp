@@ -175,6 +175,7 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
 void Subdivision::add_uncertified(const Box& box) {
   ++uncertified_.boxes;
   uncertified_.measure += box.measure();
+  visitor_->not_certified();
 }
 
 }  // namespace rfm

@@ -37,6 +37,9 @@ struct SubdivisionOptions {
 struct Uncertified {
   int boxes = 0;
   double measure = 0;
+  /// Length or area of the boundary as rules have it in these boxes: of this much, the pieces to
+  /// which points belong are a best effort, too. Known where a rule of the boundary is made.
+  double boundary = 0;
   /// Boxes in which surfaces of space seem to touch without crossing: bounds cannot prove a
   /// tangency, but the extrema of their distance have one sign up to rounding. The rules there have
   /// full order if that is so everywhere; these boxes are not counted above.
@@ -46,6 +49,7 @@ struct Uncertified {
   Uncertified& operator+=(const Uncertified& other) {
     boxes += other.boxes;
     measure += other.measure;
+    boundary += other.boundary;
     contact_boxes += other.contact_boxes;
     contact_measure += other.contact_measure;
     return *this;
@@ -64,6 +68,8 @@ class PartVisitor {
   virtual void reduced(const Reduction2D& reduction) = 0;
   /// Not const: sections share the memory of the reduction.
   virtual void reduced(Reduction3D& reduction) = 0;
+  /// The part reported last is a best effort.
+  virtual void not_certified() {}
 };
 
 /// Takes boxes apart: bounds fix the signs of surfaces, and a box with a height direction is
@@ -93,6 +99,7 @@ class Subdivision {
                      std::span<const FunctionBounds> bounds, const HeightDirections& heights,
                      int depth);
   bool may_bisect(const ActiveSet& active, int depth) const;
+  /// After `box` was reported.
   void add_uncertified(const Box& box);
   double flatness(int dimension, int depth) const;
 
