@@ -129,6 +129,9 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     summary["orders"].push_back(std::move(entry));
   }
   summary["trust"] = {{"divergence_defect", quadrature.divergence_defect},
+                      {"order_difference",
+                       {{"domain", quadrature.order_difference.volume},
+                        {"boundary_total", quadrature.order_difference.boundary}}},
                       {"uncertified_measure", quadrature.uncertified.measure},
                       {"uncertified_boundary", quadrature.uncertified.boundary},
                       {"linear_residual", solution.linear.relative_residual},
