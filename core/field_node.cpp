@@ -41,10 +41,18 @@ Field with_arguments(const Field& f, std::vector<Field> arguments) {
     case Operation::integer_power:
     case Operation::real_power:
       return pow(arguments[0], node.number);
+    case Operation::power:
+      return pow(arguments[0], arguments[1]);
     case Operation::partial:
       return partial(arguments[0], node.index);
-    default:
+    case Operation::source:
       return node_of(node, std::move(arguments));
+    default: {
+      const OperationRow* row = find_operation(node.operation);
+      if (!row) return f;  // a leaf
+      return apply(node.operation, std::move(arguments),
+                   row->numbers > 0 ? std::optional(node.number) : std::nullopt);
+    }
   }
 }
 

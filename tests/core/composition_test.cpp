@@ -135,5 +135,12 @@ TEST(Composition, DeepGraphsDoNotOverflowTheStack) {
   EXPECT_NEAR(value_at(compose(f, {y, x}), {0.5, 2, 0}), 2 + 50000, 1e-9);
 }
 
+TEST(Composition, FoldsAndChoosesOperationsAsBuildersDo) {
+  // x² is defined for x < 0, x^y for y = 2 was not.
+  const Field square = compose(pow(x, y), {x, 2.0});
+  EXPECT_EQ(value_at(square, {-3, 0.5}), 9);
+  EXPECT_TRUE(compose(cbrt(x), {8.0}).is_constant(2));
+}
+
 }  // namespace
 }  // namespace rfm
