@@ -1,5 +1,6 @@
 #include "core/field.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -51,8 +52,12 @@ Field::Node::~Node() {
   while (!pending.empty()) {
     std::shared_ptr<const Node> node = std::move(pending.back());
     pending.pop_back();
-    // Sole owner: nobody else can see that its arguments are taken away.
-    if (node.use_count() == 1) take(const_cast<Node&>(*node).arguments);
+    // Of a node that is an argument twice, or in use elsewhere, this is one handle of several.
+    if (node.use_count() != 1) continue;
+    // Sole owner: nobody else can see that its arguments are taken away. What other threads did
+    // before they let go of it has happened.
+    std::atomic_thread_fence(std::memory_order_acquire);
+    take(const_cast<Node&>(*node).arguments);
   }
 }
 
