@@ -178,6 +178,31 @@ DynamicJet<T> operator/(const DynamicJet<T>& a, const DynamicJet<T>& b) {
 }
 
 template <class T>
+DynamicJet<T> quadratic_root(const DynamicJet<T>& p, const DynamicJet<T>& r, const T& value) {
+  const JetShape& shape = common_shape(p, r);
+  DynamicJet<T> root(shape), factor(shape);
+  root.c[0] = value;
+  const T divisor = p.c[0] + (value + value);
+  for (int i = 1; i < root.size; ++i) {
+    const auto terms = shape.product_terms(i);
+    T rest = coefficient(r, i) - value * coefficient(p, i);
+    for (std::size_t k = 1; k + 1 < terms.size(); ++k)
+      rest = rest - root.c[terms[k].left] * factor.c[terms[k].right];
+    root.c[i] = rest / divisor;
+    factor.c[i] = coefficient(p, i) + root.c[i];
+  }
+  return root;
+}
+
+template <class T>
+DynamicJet<T> stretched(DynamicJet<T> f, const T& factor) {
+  f.c[0] = f.c[0] / factor;
+  for (int i = 1; i < f.size; ++i)
+    for (int k = degree(f.shape->exponent(i)); k > 1; --k) f.c[i] = f.c[i] * factor;
+  return f;
+}
+
+template <class T>
 DynamicJet<T> compose(const DynamicJet<T>& a, const TaylorSeries<T, run_time>& taylor) {
   const int order = a.order();
   DynamicJet<T> result(*a.shape);

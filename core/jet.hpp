@@ -39,6 +39,7 @@ template <class T, int N, int K>
 struct Jet {
   static_assert(N >= 1 && N <= maximum_variables && K >= 0);
   static constexpr int size = jet_size(N, K);
+  static_assert(size <= 1 << 16, "places of coefficients have 16 bits (JetProductTerm)");
   static constexpr int order() { return K; }
   std::array<T, size> c{};
 
@@ -128,6 +129,37 @@ Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
     (std::make_index_sequence<quotient.size - 1>{});
   }
   return quotient;
+}
+
+/// The solution q of q² + p q = r of which the value is known, coefficient by coefficient in
+/// ascending degree: q_α (p₀ + 2 q₀) = r_α − q₀ p_α − Σ q_β (p + q)_{α−β}, 0 < β < α. The value of
+/// r is not used.
+template <class T, int N, int K>
+Jet<T, N, K> quadratic_root(const Jet<T, N, K>& p, const Jet<T, N, K>& r, const T& value) {
+  Jet<T, N, K> root = Jet<T, N, K>::constant(value), factor = p;
+  const T divisor = p.c[0] + (value + value);
+  const auto solve = [&]<int i>() {
+    static constexpr auto terms = jet_product_terms<N, i>();
+    T rest = r.c[i] - value * p.c[i];
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      ((rest = rest - root.c[terms[k + 1].left] * factor.c[terms[k + 1].right]), ...);
+    }
+    (std::make_index_sequence<terms.size() - 2>{});
+    root.c[i] = rest / divisor;
+    factor.c[i] = p.c[i] + root.c[i];
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (solve.template operator()<i + 1>(), ...); }
+  (std::make_index_sequence<root.size - 1>{});
+  return root;
+}
+
+/// Coefficients of degree k times factor^{k−1}: f(c h) / c as a function of h.
+template <class T, int N, int K>
+Jet<T, N, K> stretched(Jet<T, N, K> f, const T& factor) {
+  f.c[0] = f.c[0] / factor;
+  for (int i = 1 + N; i < f.size; ++i)
+    for (int k = jet_degree(N, i); k > 1; --k) f.c[i] = f.c[i] * factor;
+  return f;
 }
 
 /// The Taylor coefficients f^(k)(a₀)/k!, k = 0 … order, of a function of one variable.

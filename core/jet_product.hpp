@@ -38,7 +38,7 @@ struct JetTables {
 
 /// A term of the product of two jets: the coefficients that are multiplied.
 struct JetProductTerm {
-  std::uint8_t left, right;
+  std::uint16_t left, right;
 };
 
 /// The terms of which coefficient `result` of a product in N variables is the sum, by their left
@@ -53,8 +53,8 @@ constexpr auto jet_product_terms() {
   int place = 0;
   for (int left = 0; left <= result; ++left)
     if (divides(exponents[left], total))
-      terms[place++] = {static_cast<std::uint8_t>(left),
-                        static_cast<std::uint8_t>(jet_index(N, total - exponents[left]))};
+      terms[place++] = {static_cast<std::uint16_t>(left),
+                        static_cast<std::uint16_t>(jet_index(N, total - exponents[left]))};
   return terms;
 }
 

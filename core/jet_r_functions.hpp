@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/jet_functions.hpp"
+#include "core/jet_third_side.hpp"
 #include "core/r_bounds.hpp"
 
 namespace rfm {
@@ -108,15 +108,18 @@ Number r0_composed(const Number& a, const Number& b) {
     return -r0_composed<true>(-a, -b);
   } else {
     using T = std::decay_t<decltype(a.c[0])>;
-    Number result = a + b - hypot(a, b);
     if constexpr (is_bound<T>) {
+      Number result = a + b - hypot(a, b);
       result.c[0] =
           narrowed_to_corners(result.c[0], a.c[0], b.c[0],
                               [](const auto& x, const auto& y) { return r0_conjunction(x, y); });
+      return result;
     } else {
+      Number result = of_degree_one(
+          a, b, [](const Number& x, const Number& y) { return ThirdSide(x, y, 0).difference(0); });
       result.c[0] = R0Weights<T>(a.c[0], b.c[0], true).value;
+      return result;
     }
-    return result;
   }
 }
 

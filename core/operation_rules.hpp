@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/dynamic_jet.hpp"
+#include "core/error.hpp"
 #include "core/jet.hpp"
 #include "core/jet_functions.hpp"
 #include "core/jet_piecewise.hpp"
 #include "core/jet_r_functions.hpp"
+#include "core/jet_third_side.hpp"
 #include "core/operations.hpp"
 #include "core/r_rules.hpp"
 #include "core/taylor_bound.hpp"
@@ -34,7 +36,7 @@ Number apply_rule(Operation operation, const Number& a, const Number& b, const N
     RFM_OPERATIONS(RFM_CASE)
 #undef RFM_CASE
     default:
-      return Number();
+      throw InvalidArgument("this operation has no row in the table");
   }
 }
 

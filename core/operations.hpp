@@ -35,7 +35,7 @@ namespace rfm {
   X(integer_power, "^n", 1, 1, integer_power(a, static_cast<int>(number)), std::pow(a, number),    \
     "a^n, n a whole number", "a != 0 where n < 0", "a = 0 where n < 0")                            \
   X(real_power, "^r", 1, 1, real_power(a, number), std::pow(a, number), "a^r, r a number",         \
-    "a >= 0; a > 0 where r < 0", "a = 0")                                                          \
+    "a >= 0 unless r is whole; a != 0 where r < 0", "a = 0")                                                          \
   X(sqrt, "sqrt", 1, 0, sqrt(a), std::sqrt(a), "square root", "a >= 0", "a = 0")                   \
   X(cbrt, "cbrt", 1, 0, cbrt(a), std::cbrt(a), "real cube root", "", "a = 0")                      \
   X(exp, "exp", 1, 0, exp(a), std::exp(a), "e^a", "", "")                                          \

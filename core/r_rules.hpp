@@ -1,16 +1,15 @@
 #pragma once
 
-#include "core/jet_functions.hpp"
-#include "core/jet_piecewise.hpp"
 #include "core/jet_r_functions.hpp"
+#include "core/jet_third_side.hpp"
 
 namespace rfm {
 
-// Jet rules of the R-functions of two arguments (r_functions.hpp says what they are for). Jets are
-// those of the plain formula, whose derivatives do not cancel; the value is taken from a form that
-// keeps its relative accuracy next to the boundary, where the plain formula is a small difference
-// of large numbers. Bounds use that R-conjunctions and disjunctions increase in both arguments: the
-// range over a box of arguments is that between two corners.
+// Jet rules of the R-functions of two arguments (r_functions.hpp says what they are for). They are
+// written with parts in which nothing cancels: next to the boundary the plain formulas are small
+// differences of large numbers, with derivatives that are, too. Bounds use the plain formulas, and
+// that R-conjunctions and disjunctions increase in both arguments: the range over a box of
+// arguments is that between two corners.
 
 /// 2ab / (a + b + root): what a + b − root is for a + b > 0, up to a constant factor, where
 /// (a + b)² − root² is a multiple of ab. The larger factor is divided first: nothing underflows.
@@ -21,7 +20,7 @@ T quotient_form(const T& a, const T& b, const T& root) {
   return T(2.0) * smaller * (larger / (a + b + root));
 }
 
-/// √(a² + b² − 2αab) as √(½(1 + α)(a − b)² + ½(1 − α)(a + b)²), in which nothing cancels.
+/// The third side √(a² + b² − 2αab) for bounds, as √(½(1 + α)(a − b)² + ½(1 − α)(a + b)²).
 template <class T, int N, int K>
 Jet<T, N, K> third_side(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alpha) {
   return hypot(scaled(T(std::sqrt(0.5 * (1 + alpha))), a - b),
@@ -32,17 +31,23 @@ Jet<T, N, K> third_side(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alp
 /// for a + b > 0.
 template <class T, int N, int K>
 Jet<T, N, K> ralpha_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alpha) {
-  const Jet<T, N, K> root = third_side(a, b, alpha);
-  Jet<T, N, K> result = scaled(T(1 / (1 + alpha)), a + b - root);
+  const T inverse(1 / (1 + alpha));
   if constexpr (is_bound<T>) {
+    Jet<T, N, K> result = scaled(inverse, a + b - third_side(a, b, alpha));
     result.c[0] = narrowed_to_corners(result.c[0], a.c[0], b.c[0], [alpha](auto x, auto y) {
       return ralpha_conjunction(x, y, alpha);
     });
+    return result;
   } else {
-    result.c[0] = select(less(T(0.0), a.c[0] + b.c[0]), quotient_form(a.c[0], b.c[0], root.c[0]),
-                         result.c[0]);
+    return of_degree_one(a, b, [&](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+      const ThirdSide side(x, y, alpha);
+      Jet<T, N, K> result = scaled(inverse, side.difference(alpha));
+      const T x0 = x.c[0], y0 = y.c[0];
+      result.c[0] = select(less(T(0.0), x0 + y0), quotient_form(x0, y0, side.root),
+                           T((x0 + y0 - side.root) * inverse));
+      return result;
+    });
   }
-  return result;
 }
 
 template <class T, int N, int K>
@@ -50,23 +55,27 @@ Jet<T, N, K> ralpha_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, do
   return -ralpha_conjunction(-a, -b, alpha);
 }
 
-/// The exclusive or of R₀, (¬a ∧ b) ∨ (a ∧ ¬b) = 2√(a² + b² − ab) − 2√(a² + b²), as
+/// The exclusive or of R₀, (¬a ∧ b) ∨ (a ∧ ¬b) = 2√(a² + b² − ab) − 2√(a² + b²), its value taken as
 /// −2ab / (√(a² + b² − ab) + √(a² + b²)): Shapiro (1991), example 1.1. 0 at a = b = 0, with
 /// derivatives 0 by convention.
 template <class T, int N, int K>
 Jet<T, N, K> r0_exclusive_or(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  const Jet<T, N, K> roots = third_side(a, b, 0.5) + hypot(a, b);
-  Jet<T, N, K> result = scaled(T(-2.0), a * b) / roots;
   if constexpr (is_bound<T>) {
+    Jet<T, N, K> result = scaled(T(-2.0), a * b) / (third_side(a, b, 0.5) + hypot(a, b));
     // The sum of the roots is at least (√3/2 + 1) max(|a|, |b|).
     result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], 1.0718);
+    return result;
   } else {
-    const auto first = farther_from_zero(a.c[0], b.c[0]);
-    const T larger = select(first, a.c[0], b.c[0]), smaller = select(first, b.c[0], a.c[0]);
-    result.c[0] = T(-2.0) * smaller * (larger / roots.c[0]);
-    result = select(equal(roots.c[0], T(0.0)), Jet<T, N, K>(), result);
+    return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+      const ThirdSide acute(x, y, 0.5), right(x, y, 0);
+      // The longer sides of the two triangles drop out.
+      Jet<T, N, K> result = select(right.positive, -right.smaller, right.smaller) +
+                            scaled(T(2.0), acute.rest - right.rest);
+      const T &larger = right.larger.c[0], &smaller = right.smaller.c[0];
+      result.c[0] = T(-2.0) * smaller * (larger / (acute.root + right.root));
+      return select(right.corner, Jet<T, N, K>(), result);
+    });
   }
-  return result;
 }
 
 /// a^(1/p), a ≥ 0, with square roots as far as p is even. At a = 0 the singular coefficients are 0.
@@ -83,41 +92,52 @@ Jet<T, N, K> absolute_power(const Jet<T, N, K>& a, int p) {
   return p % 2 == 0 ? integer_power(a, p) : p == 1 ? abs(a) : abs(a) * integer_power(a, p - 1);
 }
 
-/// The p-norm of two plain numbers as |larger| (1 + excess), excess = (1 + |t|^p)^{1/p} − 1 ≥ 0 in
-/// a form that is accurate for small t = smaller / larger.
-template <class T>
+/// The p-norm of two jets as |L| (1 + e), L the argument farther from zero and S the other one:
+/// e = (1 + |S/L|^p)^{1/p} − 1 ≥ 0, its value in a form that is accurate for small S/L. Only the
+/// quotient is raised to the power p. Not for bounds.
+template <class Number>
 struct PNorm {
-  T larger, smaller, excess;
+  Number larger, smaller, size, excess;  ///< L, S, |L|, e
+  using T = std::decay_t<decltype(larger.c[0])>;
+  using Mask = decltype(less(T(), T()));
+  Mask positive, corner;  ///< L > 0, a = b = 0
 
-  PNorm(const T& a, const T& b, int p) {
-    const auto first = farther_from_zero(a, b);
+  PNorm(const Number& a, const Number& b, int p) {
+    const Mask first = farther_from_zero(a.c[0], b.c[0]);
     larger = select(first, a, b);
     smaller = select(first, b, a);
-    using Number = Jet<T, 1, 0>;
-    const T t = select(equal(larger, T(0.0)), T(0.0), smaller / larger);
-    const T power = absolute_power(Number::constant(t), p).c[0];
-    const T root = root_of_degree(Number::constant(T(1.0) + power), p).c[0];
+    positive = less(T(0.0), larger.c[0]);
+    size = select(positive, larger, -larger);
+    using std::abs;
+    corner = equal(T(size.c[0] + abs(smaller.c[0])), T(0.0));
+    const Number ratio = smaller / select(corner, Number(1.0), size);
+    const Number power = absolute_power(ratio, p);
+    excess = root_of_degree(power + Number(1.0), p);
+    const T root = excess.c[0];
     T sum = T(1.0);  // 1 + r + … + r^{p−1} = (r^p − 1) / (r − 1)
     for (int k = 1; k < p; ++k) sum = sum * root + T(1.0);
-    excess = power / sum;
+    excess.c[0] = power.c[0] / sum;
   }
 };
 
-/// The Rp-conjunction a + b − (a^p + b^p)^{1/p}, p even. With the larger of the two in size L, the
-/// other s and the norm |L| (1 + e), its value is s − e L where L > 0, else s + 2L + e L.
+/// The Rp-conjunction a + b − (a^p + b^p)^{1/p}, p even: S − e|L| where L > 0, else S + 2L − e|L|.
 template <class T, int N, int K>
 Jet<T, N, K> rp_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p) {
-  Jet<T, N, K> result = a + b - root_of_degree(integer_power(a, p) + integer_power(b, p), p);
   if constexpr (is_bound<T>) {
+    Jet<T, N, K> result = a + b - root_of_degree(integer_power(a, p) + integer_power(b, p), p);
     result.c[0] = narrowed_to_corners(result.c[0], a.c[0], b.c[0],
                                       [p](auto x, auto y) { return rp_conjunction(x, y, p); });
+    return result;
   } else {
-    const PNorm<T> norm(a.c[0], b.c[0], p);
-    const T &larger = norm.larger, &smaller = norm.smaller;
-    result.c[0] = select(less(T(0.0), larger), smaller - norm.excess * larger,
-                         smaller + (T(2.0) + norm.excess) * larger);
+    if (p == 2) return r0_conjunction(a, b);  // the same, with fewer roundings
+    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+      const PNorm norm(x, y, p);
+      const Jet<T, N, K> far = norm.smaller + scaled(T(2.0), norm.larger);
+      const Jet<T, N, K> result =
+          select(norm.positive, norm.smaller, far) - norm.excess * norm.size;
+      return select(norm.corner, x + y, result);
+    });
   }
-  return result;
 }
 
 template <class T, int N, int K>
@@ -125,21 +145,22 @@ Jet<T, N, K> rp_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
   return -rp_conjunction(-a, -b, p);
 }
 
-/// R-equivalence ab / (|a|^p + |b|^p)^{1/p}, eq. (5.3) of Shapiro (2007); 0 at a = b = 0, with
-/// derivatives 0 by convention.
+/// R-equivalence ab / (|a|^p + |b|^p)^{1/p} = ±S / (1 + e), eq. (5.3) of Shapiro (2007); 0 at a = b
+/// = 0, with derivatives 0 by convention.
 template <class T, int N, int K>
 Jet<T, N, K> rp_equivalence(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p) {
-  const Jet<T, N, K> norm = root_of_degree(absolute_power(a, p) + absolute_power(b, p), p);
-  Jet<T, N, K> result = a * b / norm;
   if constexpr (is_bound<T>) {
+    Jet<T, N, K> result = a * b / root_of_degree(absolute_power(a, p) + absolute_power(b, p), p);
     result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], 1.0);
+    return result;
   } else {
-    const PNorm<T> parts(a.c[0], b.c[0], p);
-    const T size = parts.smaller / (T(1.0) + parts.excess);
-    result.c[0] = select(less(T(0.0), parts.larger), size, -size);
-    result = select(equal(norm.c[0], T(0.0)), Jet<T, N, K>::constant(result.c[0]), result);
+    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+      const PNorm norm(x, y, p);
+      const Jet<T, N, K> result =
+          select(norm.positive, norm.smaller, -norm.smaller) / (norm.excess + Jet<T, N, K>(1.0));
+      return select(norm.corner, Jet<T, N, K>(), result);
+    });
   }
-  return result;
 }
 
 }  // namespace rfm

@@ -38,7 +38,7 @@ inline double square(double a) { return a * a; }
 }
 [[gnu::always_inline]] inline Batch square(const Batch& a) { return a * a; }
 
-/// aᵉ for a ≥ 0 as a plain number.
+/// aᵉ as a plain number.
 inline double power(double a, double exponent) { return std::pow(a, exponent); }
 inline Batch power(const Batch& a, double exponent) {
   return std::experimental::pow(a, Batch(exponent));
@@ -93,22 +93,33 @@ inline Batch floored_remainder(const Batch& a, const Batch& b) {
   return Batch([&](auto lane) { return floored_remainder<double>(a[lane], b[lane]); });
 }
 
-/// Whether a² + b² may overflow or lose digits to underflow; then with a power of two, lane by
-/// lane, that brings both to where it does not. The range of bounds is wide enough as it is.
-inline bool squares_need_scale(double a, double b, double& scale) {
+/// A power of two near the larger of |a| and |b| where that is so far from 1 that its powers would
+/// overflow or underflow, else 1.
+inline double extreme_size(double a, double b) {
   const double larger = std::max(std::fabs(a), std::fabs(b));
-  if ((larger > 0x1p-480 && larger < 0x1p500) || larger == 0) return false;
-  scale = larger < 1 ? 0x1p800 : 0x1p-550;
-  return true;
+  if ((larger > 0x1p-100 && larger < 0x1p100) || larger == 0 || !std::isfinite(larger)) return 1;
+  return std::ldexp(1.0, std::clamp(std::ilogb(larger), -1000, 1000));
 }
-inline bool squares_need_scale(const Batch& a, const Batch& b, Batch& scale) {
+inline Batch extreme_size(const Batch& a, const Batch& b) {
   const Batch larger = std::experimental::max(std::experimental::abs(a), std::experimental::abs(b));
-  const BatchMask tiny = larger <= Batch(0x1p-480), large = larger >= Batch(0x1p500);
-  if (std::experimental::none_of((tiny && larger > Batch(0.0)) || large)) return false;
-  scale = select(tiny, Batch(0x1p800), select(large, Batch(0x1p-550), Batch(1.0)));
-  return true;
+  const BatchMask usual = larger > Batch(0x1p-100) && larger < Batch(0x1p100);
+  if (std::experimental::all_of(usual || larger == Batch(0.0))) return 1.0;
+  return Batch([&](auto lane) { return extreme_size(double(a[lane]), double(b[lane])); });
 }
-inline bool squares_need_scale(const Interval&, const Interval&, Interval&) { return false; }
+
+/// √(1 + a²), also where the square overflows.
+template <class T>
+T length_with_one(const T& a) {
+  return sqrt(T(1.0) + square(a));
+}
+template <std::floating_point Real>
+Real length_with_one(const Real& a) {
+  return std::hypot(Real(1), a);
+}
+inline Batch length_with_one(const Batch& a) {
+  const Batch size = std::experimental::abs(a);
+  return select(size > Batch(0x1p500), size, std::experimental::sqrt(Batch(1.0) + a * a));
+}
 
 /// 1 / a, or 0 where a = 0: derivatives at singular points are finite by convention (see jet.hpp).
 template <class T>

@@ -102,9 +102,6 @@ inline Truth less_or_nan(const TaylorBound& a, const TaylorBound& b) {
 inline Truth greater_or_nan(const TaylorBound& a, const TaylorBound& b) {
   return less(b.range, a.range);
 }
-inline bool squares_need_scale(const TaylorBound&, const TaylorBound&, TaylorBound&) {
-  return false;
-}
 /// The same function, of which it is also known that it lies in `range`.
 TaylorBound narrowed(TaylorBound a, const Interval& range);
 inline Interval narrowed(const Interval& a, const Interval& range) {

@@ -24,7 +24,7 @@ inline long double nan_where_nan(long double value, long double argument) {
 }
 inline bool less_or_nan(long double a, long double b) { return a < b || std::isnan(a); }
 inline bool greater_or_nan(long double a, long double b) { return a > b || std::isnan(a); }
-inline bool squares_need_scale(long double, long double, long double&) { return false; }
+inline long double extreme_size(long double, long double) { return 1; }
 inline long double power(long double a, double exponent) {
   return std::pow(a, static_cast<long double>(exponent));
 }
