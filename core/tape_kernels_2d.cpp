@@ -13,10 +13,8 @@ Kernel find_kernel_in<2>(Operation operation, int order) {
       return Kernels<2, 2>::find(operation);
     case 3:
       return Kernels<2, 3>::find(operation);
-    case 4:
-      return Kernels<2, 4>::find(operation);
     default:
-      return nullptr;
+      return find_high_kernel_in<2>(operation, order);
   }
 }
 

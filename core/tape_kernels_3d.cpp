@@ -11,10 +11,8 @@ Kernel find_kernel_in<3>(Operation operation, int order) {
       return Kernels<3, 1>::find(operation);
     case 2:
       return Kernels<3, 2>::find(operation);
-    case 3:
-      return Kernels<3, 3>::find(operation);
     default:
-      return nullptr;
+      return find_high_kernel_in<3>(operation, order);
   }
 }
 

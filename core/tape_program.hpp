@@ -66,6 +66,13 @@ template <>
 Kernel find_kernel_in<2>(Operation operation, int order);
 template <>
 Kernel find_kernel_in<3>(Operation operation, int order);
+/// The same for the highest order, in a file of its own: units stay below 20 s.
+template <int N>
+Kernel find_high_kernel_in(Operation operation, int order);
+template <>
+Kernel find_high_kernel_in<2>(Operation operation, int order);
+template <>
+Kernel find_high_kernel_in<3>(Operation operation, int order);
 /// The kernel that knows number of variables and order from its step.
 Kernel find_dynamic_kernel(Operation operation);
 /// Chooses among all of these.
