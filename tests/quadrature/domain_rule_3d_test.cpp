@@ -74,24 +74,6 @@ INSTANTIATE_TEST_SUITE_P(
                              solid(1 - square(y() - 0.02) - square(z() - 0.03)),
                          16.0 / 3, 16}));
 
-TEST_P(CurvedSolid, MeasuresConvergeWithOrderTwiceTheNumberOfPoints) {
-  const auto error = [&](int cells) {
-    const DomainRule rule = rule_for(GetParam().region, grid(1.7, cells, 3), 2);
-    // Only about the points where four faces of the Steinmetz solid touch.
-    EXPECT_LT(rule.report().uncertified.measure, 1e-4);
-    return std::max(std::fabs(rule.measure() / GetParam().volume - 1),
-                    std::fabs(rule.boundary_measure() / GetParam().area - 1));
-  };
-  double coarse = 0, fine = 0;
-  for (const int cells : {9, 10, 11}) {
-    coarse += std::log(error(cells)) / 3;
-    fine += std::log(error(4 * cells)) / 3;
-  }
-  const double order = (coarse - fine) / std::log(4.0);
-  EXPECT_GT(order, 3.3);
-  EXPECT_LT(order, 5);
-}
-
 TEST_P(CurvedSolid, MeasuresAreExactToRoundingWithTenPoints) {
   const DomainRule rule = rule_for(GetParam().region, grid(1.7, 16, 3), 10);
   EXPECT_NEAR(rule.measure() / GetParam().volume, 1, 1e-14);

@@ -56,27 +56,6 @@ INSTANTIATE_TEST_SUITE_P(
                          region_of(1 - sqrt(square(x() - 0.1) + square(y())), 2), pi, 2 * pi},
                     disk_without_disk()));
 
-// Errors fall like h^(2q) for q points; between grids they also jump with the position of cuts, so
-// the order is taken over a factor of 8 and has a range.
-TEST_P(CurvedBody, MeasuresConvergeWithOrderTwiceTheNumberOfPoints) {
-  for (const int points : {2, 3}) {
-    const auto error = [&](int cells) {
-      const DomainRule rule = rule_for(GetParam().region, grid(1.7, cells), points);
-      EXPECT_EQ(rule.report().uncertified.boxes, 0);
-      return std::max(std::fabs(rule.measure() - GetParam().area),
-                      std::fabs(rule.boundary_measure() - GetParam().perimeter));
-    };
-    double coarse = 0, fine = 0;
-    for (const int cells : {20, 24, 28}) {
-      coarse += std::log(error(cells)) / 3;
-      fine += std::log(error(8 * cells)) / 3;
-    }
-    const double order = (coarse - fine) / std::log(8.0);
-    EXPECT_GT(order, 2 * points - 0.7);
-    EXPECT_LT(order, 2 * points + 0.8);
-  }
-}
-
 TEST_P(CurvedBody, MeasuresAreExactToRoundingWithTenPoints) {
   const DomainRule rule = rule_for(GetParam().region, grid(1.7, 32), 10);
   EXPECT_NEAR(rule.measure(), GetParam().area, 1e-14 * GetParam().area);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <ostream>
+
 #include "tests/quadrature/regions.hpp"
 
 /// The bodies by which rules are compared from version to version and with other programs.
@@ -13,6 +15,10 @@ struct StandardRegion {
   double measure = std::nan("");
   double boundary = std::nan("");
 };
+
+inline std::ostream& operator<<(std::ostream& out, const StandardRegion& body) {
+  return out << body.name;
+}
 
 inline Region solid(const Field& level) { return region_of(level, 3); }
 
