@@ -138,6 +138,7 @@ class DomainRuleBuilder {
     int cut_cell;
   };
   struct TaskResult {
+    CellReport report;
     CellState state;
     int volume_points, boundary_points, interface_points;
     double fraction;
@@ -177,6 +178,8 @@ class DomainRuleBuilder {
 
   void integrate(const Task& task, Subdivision& subdivision, Part& part) const {
     CellRule& rule = part.rule;
+    rule.uncertified = {};
+    rule.order_difference = {};
     const int volume = rule.volume.size(), boundary = rule.boundary.size(),
               interfaces = rule.interfaces.size();
     const auto position = rule_.grid_.position(task.cell);
@@ -219,8 +222,12 @@ class DomainRuleBuilder {
       const int dimension = rule_.dimension();
       compress(dimension, compressed_degree(options_.cut_points, dimension), volume, rule.volume);
     }
-    part.results.push_back({state, rule.volume.size() - volume, rule.boundary.size() - boundary,
-                            rule.interfaces.size() - interfaces, fraction});
+    part.results.push_back({{task.cell, rule.uncertified, rule.order_difference},
+                            state,
+                            rule.volume.size() - volume,
+                            rule.boundary.size() - boundary,
+                            rule.interfaces.size() - interfaces,
+                            fraction});
   }
 
   void gather(std::vector<Part>& parts) {
@@ -228,9 +235,11 @@ class DomainRuleBuilder {
     std::vector<int> boundary_cells, interface_cells;
     std::size_t task = 0;
     gather_volume(parts);
+    rule_.report_.cells.reserve(tasks_.size());
     for (Part& part : parts) {
       for (const TaskResult& result : part.results) {
         const int cell = tasks_[task++].cell;
+        add(result.report);
         rule_.states_[cell] = result.state;
         boundary_cells.insert(boundary_cells.end(), result.boundary_points, cell);
         interface_cells.insert(interface_cells.end(), result.interface_points, cell);
@@ -242,9 +251,6 @@ class DomainRuleBuilder {
       }
       boundary.append(part.rule.boundary);
       interfaces.append(part.rule.interfaces);
-      rule_.report_.uncertified += part.rule.uncertified;
-      rule_.report_.order_difference.volume += part.rule.order_difference.volume;
-      rule_.report_.order_difference.boundary += part.rule.order_difference.boundary;
       part = {};
     }
     const int cells = rule_.grid_.cell_count();
@@ -255,6 +261,14 @@ class DomainRuleBuilder {
     move_into(box, interfaces);
     rule_.boundary_ = sorted_by_cell(rule_.grid_, rule_.states_, boundary, boundary_cells);
     rule_.interfaces_ = sorted_by_cell(rule_.grid_, rule_.states_, interfaces, interface_cells);
+  }
+
+  void add(const CellReport& cell) {
+    QuadratureReport& report = rule_.report_;
+    report.uncertified += cell.uncertified;
+    report.order_difference.volume += cell.order_difference.volume;
+    report.order_difference.boundary += cell.order_difference.boundary;
+    report.cells.push_back(cell);
   }
 
   // The points of all cut cells, array by array, which is mostly time to touch new memory.

@@ -48,6 +48,13 @@ struct SurfaceRule {
   double measure(int number) const;
 };
 
+/// What a rule says of one cell.
+struct CellReport {
+  int cell = 0;
+  Uncertified uncertified;
+  CellMeasure order_difference;
+};
+
 struct QuadratureReport {
   int inside_cells = 0;
   int cut_cells = 0;
@@ -61,6 +68,9 @@ struct QuadratureReport {
   /// |∮ n·x ds / d − volume|: the divergence theorem for the field x/d, an independent check of
   /// volume rule, boundary rule and normals together.
   double divergence_defect = 0;
+  /// Where: every cell that bounds left undecided or that was split, ascending. Uncertified
+  /// measures and differences of orders add up to those above; see also `divergence_defects`.
+  std::vector<CellReport> cells;
 };
 
 /// Quadrature over a region and over its boundary, sorted by the cells of a grid: what assembly
