@@ -15,7 +15,8 @@ using Polynomial = std::vector<Field>;
 Polynomial product(const Polynomial& a, const Polynomial& b) {
   Polynomial result(a.size(), 0.0);
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; i + j < a.size(); ++j) result[i + j] = result[i + j] + a[i] * b[j];
+    for (std::size_t j = 0; i + j < a.size(); ++j)
+      result[i + j] = result[i + j] + product_or_nothing(a[i], b[j]);
   return result;
 }
 
@@ -55,7 +56,8 @@ Field directional_derivative(const Field& f, const std::vector<Field>& v, int or
   for (int i = order > 0 ? shape.size(order - 1) : 0; i < shape.size(); ++i) {
     const MultiIndex& alpha = shape.exponent(i);
     Field term = factorial(order) / rfm::factorial(alpha) * partial(f, alpha);
-    for (int axis = 0; axis < dimension; ++axis) term = term * pow(v[axis], alpha[axis]);
+    for (int axis = 0; axis < dimension; ++axis)
+      term = product_or_nothing(term, pow(v[axis], alpha[axis]));
     sum = sum + term;
   }
   return sum;

@@ -15,6 +15,13 @@ Field make(Operation operation, std::vector<Field> arguments, double number = 0,
   node->operation = operation;
   node->number = number;
   node->index = index;
+  if (const OperationRow* row = find_operation(operation)) {
+    const bool divides_by_number = operation == Operation::divide && arguments[1].is_constant() &&
+                                   !arguments[1].is_constant(0);
+    node->defined_everywhere = divides_by_number || is_defined_everywhere(*row, number);
+  }
+  for (const Field& argument : arguments)
+    node->defined_everywhere &= argument.node().defined_everywhere;
   node->arguments = std::move(arguments);
   return Field(std::shared_ptr<const Field::Node>(std::move(node)));
 }
@@ -37,6 +44,7 @@ Field unary(Operation operation, const Field& a) { return apply(operation, {a});
 Field::Field(double value) {
   auto node = std::make_shared<Node>();
   node->number = value;
+  node->defined_everywhere = std::isfinite(value);
   node_ = std::move(node);
 }
 
@@ -84,6 +92,7 @@ Field field(std::shared_ptr<const FieldSource> source) {
   auto node = std::make_shared<Field::Node>();
   node->operation = Operation::source;
   node->source = std::move(source);
+  node->defined_everywhere = false;
   return Field(std::shared_ptr<const Field::Node>(std::move(node)));
 }
 
@@ -119,7 +128,8 @@ Field operator-(const Field& a, const Field& b) {
 }
 
 Field operator*(const Field& a, const Field& b) {
-  if (a.is_constant(0) || b.is_constant(0)) return 0.0;
+  if (a.is_constant(0) && b.node().defined_everywhere) return 0.0;
+  if (b.is_constant(0) && a.node().defined_everywhere) return 0.0;
   if (a.is_constant(1)) return b;
   if (b.is_constant(1)) return a;
   if (a.is_constant(-1)) return -b;
@@ -129,8 +139,11 @@ Field operator*(const Field& a, const Field& b) {
 
 Field operator/(const Field& a, const Field& b) {
   if (b.is_constant(1)) return a;
-  if (a.is_constant(0) && !b.is_constant(0)) return 0.0;
   return apply(Operation::divide, {a, b});
+}
+
+Field product_or_nothing(const Field& a, const Field& b) {
+  return a.is_constant(0) || b.is_constant(0) ? Field(0.0) : a * b;
 }
 
 Field operator-(const Field& a) {
@@ -208,7 +221,8 @@ std::vector<Field> gradient(const Field& f, int dimension) {
 
 Field inward_derivative(const Field& f, const Field& omega, int dimension) {
   Field sum = 0.0;
-  for (int axis = 0; axis < dimension; ++axis) sum = sum + partial(omega, axis) * partial(f, axis);
+  for (int axis = 0; axis < dimension; ++axis)
+    sum = sum + product_or_nothing(partial(omega, axis), partial(f, axis));
   return sum;
 }
 

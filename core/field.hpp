@@ -24,8 +24,10 @@ class FieldSource;
 ///
 /// A field knows nothing of how it is evaluated: a `Tape` (core/tape.hpp) compiles fields for many
 /// points at once; `value_at` and `evaluate` (core/evaluate.hpp) serve single points and tests.
-/// Constants fold and x + 0, 1 · x, 0 · x simplify when a field is built; equal sub-expressions are
-/// shared when a tape is compiled. Graphs may be arbitrarily deep: nothing here recurses.
+/// Constants fold and x + 0, 1 · x, 0 · x simplify when a field is built, but 0 · f and 0 / f only
+/// if f is defined everywhere: 0 · log(x) stays, so that it fails where log(x) does. f⁰ is 1 for
+/// every f, as in C. Equal sub-expressions are shared when a tape is compiled. Graphs may be
+/// arbitrarily deep: nothing here recurses.
 class Field {
  public:
   struct Node;
@@ -55,6 +57,9 @@ struct Field::Node {
   double number = 0;
   /// Axis of a coordinate or a partial derivative; index of a parameter.
   int index = 0;
+  /// Whether it has a value at all finite coordinates, as far as its operations tell (overflow
+  /// apart): no root, logarithm, quotient by something that varies, or sampled field.
+  bool defined_everywhere = true;
   std::shared_ptr<const FieldSource> source;
   std::vector<Field> arguments;
 
@@ -85,6 +90,9 @@ Field operator-(const Field& a, const Field& b);
 Field operator*(const Field& a, const Field& b);
 Field operator/(const Field& a, const Field& b);
 Field operator-(const Field& a);
+/// a · b as a term of a sum over components: none, 0, if one of them is zero everywhere, also where
+/// the other is not defined. Sums over axes and entries of matrices do not grow by such terms.
+Field product_or_nothing(const Field& a, const Field& b);
 /// aᵇ: exact repeated multiplication for a constant integer exponent up to 64, aᵉ for another
 /// constant (a ≥ 0), exp(b log a) otherwise.
 Field pow(const Field& a, const Field& b);

@@ -9,12 +9,14 @@ namespace {
 
 constexpr int bits_per_axis = 5;  // orders up to 16
 
+// A sampled field at a place.
 Field node_of(const Field::Node& like, std::vector<Field> arguments) {
   auto node = std::make_shared<Field::Node>();
   node->operation = like.operation;
   node->number = like.number;
   node->index = like.index;
   node->source = like.source;
+  node->defined_everywhere = false;
   node->arguments = std::move(arguments);
   return Field(std::shared_ptr<const Field::Node>(std::move(node)));
 }

@@ -14,6 +14,9 @@ Field unless_zero(const Field& singular, const Field& regular) {
   return select(apply(Operation::equal, {singular, 0.0}), 0.0, regular);
 }
 
+// `derivative`, but no number where `f` is none.
+Field where_defined(const Field& derivative, const Field& f) { return derivative + 0.0 * f; }
+
 // f′ of f(a) for the operations of one argument; `f` is the node itself.
 Field slope(Operation operation, const Field& f, const Field& a) {
   switch (operation) {
@@ -26,7 +29,7 @@ Field slope(Operation operation, const Field& f, const Field& a) {
     case Operation::exp:
       return f;
     case Operation::log:
-      return unless_zero(a, 1.0 / a);
+      return where_defined(1.0 / a, f);
     case Operation::sin:
       return cos(a);
     case Operation::cos:
@@ -55,7 +58,7 @@ Field slope(Operation operation, const Field& f, const Field& a) {
     case Operation::sign:
     case Operation::step:
     case Operation::floor:
-      return 0.0;
+      return where_defined(0.0, f);
     default:
       throw InvalidArgument("no derivative is known of the operation " +
                             std::string(find_operation(operation)->name));
@@ -111,11 +114,13 @@ Field derivative(Operation operation, double number, const Field& f, const Field
     case Operation::subtract:
       return da - db;
     case Operation::multiply:
-      return da * b + a * db;
+      return (da.is_constant(0) ? da : da * b) + (db.is_constant(0) ? db : a * db);
     case Operation::divide:
       return (da - f * db) / b;
     case Operation::power:
-      return unless_zero(a, f * (db * log(a) + b * da / a));
+      return select(apply(Operation::equal, {a, 0.0}),
+                    select(apply(Operation::equal, {b, 1.0}), da, 0.0 * f),
+                    f * (product_or_nothing(db, log(a)) + b * da / a));
     case Operation::atan2: {
       const Field square = a * a + b * b;
       return unless_zero(square, (b * da - a * db) / square);
@@ -131,7 +136,7 @@ Field derivative(Operation operation, double number, const Field& f, const Field
     case Operation::less:
     case Operation::less_equal:
     case Operation::equal:
-      return 0.0;
+      return where_defined(0.0, f);
     case Operation::r0_conjunction:
       return r0_derivative(f, a, b, da, db, true);
     case Operation::r0_disjunction:
@@ -181,7 +186,7 @@ Field GraphDerivative::of_node(const Field& f) const {
       return node.number * pow(a, node.number - 1) * da;
     case Operation::real_power: {
       const Field power = node.number * pow(a, node.number - 1);
-      return (node.number >= 1 ? power : unless_zero(a, power)) * da;
+      return (node.number >= 1 || node.number < 0 ? power : unless_zero(a, power)) * da;
     }
     case Operation::select:
       return select(a, known(arguments[1]), known(arguments[2]));

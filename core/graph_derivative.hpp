@@ -10,7 +10,9 @@ namespace rfm {
 /// nodes of the original. Exact, like jets, and for what jets are not taken in: parameters, and
 /// coordinates that a tape holds. A partial derivative within the expression stays one, of the
 /// differentiated function. Derivatives that do not exist are finite by the same convention as in
-/// core/jet.hpp: singular ones are 0, at corners that of the branch taken.
+/// core/jet.hpp: singular ones are 0, at corners that of the branch taken. Where an operation on
+/// the variable is not defined its derivative is not either; what does not depend on the variable
+/// is not looked at: ∂(x + log y)/∂x = 1 for every y.
 ///
 /// The derivatives that were made are kept, so that one object serves many expressions that share
 /// nodes. Graphs may be arbitrarily deep.

@@ -44,8 +44,24 @@ int InstructionTable::add(Instruction instruction) {
   const int next = static_cast<int>(instructions_.size());
   const int place = known_.find_or_insert(
       hash_of(instruction), next, [&](int i) { return same(instructions_[i], instruction); });
-  if (place == next) instructions_.push_back(std::move(instruction));
+  if (place == next) {
+    defined_everywhere_.push_back(has_value_everywhere(instruction));
+    instructions_.push_back(std::move(instruction));
+  }
   return place;
+}
+
+bool InstructionTable::has_value_everywhere(const Instruction& instruction) const {
+  for (const int operand : instruction.operands)
+    if (operand >= 0 && !defined_everywhere_[operand]) return false;
+  if (instruction.operation == Operation::source) return false;
+  if (instruction.operation == Operation::constant) return std::isfinite(instruction.number);
+  if (instruction.operation == Operation::divide) {
+    const Instruction& divisor = instructions_[instruction.operands[1]];
+    return divisor.operation == Operation::constant && divisor.number != 0;
+  }
+  const OperationRow* row = find_operation(instruction.operation);
+  return !row || rfm::is_defined_everywhere(*row, instruction.number);
 }
 
 bool InstructionTable::folded(Instruction& instruction) const {
@@ -95,7 +111,7 @@ int InstructionTable::simplified(Instruction& instruction) const {
   // Sums and products with a constant need no jet for the constant.
   const auto scale = [&](double factor, int operand) {
     if (factor == 1) return operand;
-    if (factor == 0) {
+    if (factor == 0 && defined_everywhere_[operand]) {
       instruction = Instruction();
       return -1;
     }
@@ -158,7 +174,7 @@ int InstructionTable::simplified(Instruction& instruction) const {
       return a == b ? a : -1;
     case Operation::select:
       if (constant(a)) return number(a) != 0 ? b : c;
-      return b == c ? b : -1;
+      return b == c && defined_everywhere_[a] ? b : -1;
     default:
       return -1;
   }

@@ -45,7 +45,7 @@ T lowered_power(const T& a, double exponent, int k) {
   return power_known_to(a, lowered, lost, k * 0x1p-51);
 }
 
-/// aᵉ for a ≥ 0; at a = 0 the singular coefficients are 0.
+/// aᵉ for a ≥ 0; at a = 0, if e > 0, the singular coefficients are 0.
 template <class T, int N, int K>
 Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
   using rfm::power;
@@ -55,7 +55,8 @@ Jet<T, N, K> real_power(const Jet<T, N, K>& a, double exponent) {
   for (int k = 1; k <= a.order(); ++k) {
     binomial *= (exponent - (k - 1)) / k;
     const T singular = T(binomial) * lowered_power(a.c[0], exponent, k);
-    taylor[k] = exponent >= k ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
+    const bool regular = exponent >= k || exponent < 0;
+    taylor[k] = regular ? singular : select(equal(a.c[0], T(0.0)), T(0.0), singular);
   }
   return compose(a, taylor);
 }
@@ -104,7 +105,7 @@ Jet<T, N, K> log(const Jet<T, N, K>& a) {
   taylor[0] = log(a.c[0]);
   if (a.order() > 0) {
     // Where the logarithm is not defined its derivatives are not either.
-    const T inverse = nan_where_nan(reciprocal_or_zero(a.c[0]), taylor[0]);
+    const T inverse = nan_where_nan(T(T(1.0) / a.c[0]), taylor[0]);
     T power = inverse;
     for (int k = 1; k <= a.order(); ++k) {
       taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
@@ -285,12 +286,16 @@ Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
   angle.c[0] = atan2(y.c[0], x.c[0]);
   return angle;
 }
-/// aᵇ = exp(b log a); at a = 0 its limit, 0⁰ = 1, and derivatives 0 by convention.
+/// aᵇ = exp(b log a). At a = 0 its limit, 0⁰ = 1, and the derivatives of aᵇ for the whole number b
+/// there; singular ones, among them all by b, are 0. For b < 0 they do not exist, as the value.
 template <class T, int N, int K>
 Jet<T, N, K> general_power(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   const Jet<T, N, K> regular = exp(b * log(a));
-  const T limit = select(equal(b.c[0], T(0.0)), T(1.0), regular.c[0]);
-  return select(equal(a.c[0], T(0.0)), Jet<T, N, K>::constant(limit), regular);
+  TaylorSeries<T, K> at_zero;
+  at_zero[0] = select(equal(b.c[0], T(0.0)), T(1.0), regular.c[0]);
+  for (int k = 1; k <= a.order(); ++k)
+    at_zero[k] = select(equal(b.c[0], T(double(k))), T(1.0), T(T(0.0) * at_zero[0]));
+  return select(equal(a.c[0], T(0.0)), compose(a, at_zero), regular);
 }
 
 }  // namespace rfm

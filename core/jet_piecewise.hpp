@@ -9,12 +9,6 @@ namespace rfm {
 // Functions of jets that choose between branches by the values of their arguments. At the place
 // where branches meet the derivatives are those of the branch that is taken.
 
-template <class T, int N, int K>
-Jet<T, N, K> floor(const Jet<T, N, K>& a) {
-  using std::floor;
-  return Jet<T, N, K>::constant(floor(a.c[0]));
-}
-
 // What depends on a comparison with NaN is NaN itself: a point outside the domain of a function
 // must not pass for the other side of a condition.
 
@@ -22,6 +16,12 @@ template <class T, int N, int K>
 Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const T& argument) {
   for (T& coefficient : f.c) coefficient = nan_where_nan(coefficient, argument);
   return f;
+}
+
+template <class T, int N, int K>
+Jet<T, N, K> floor(const Jet<T, N, K>& a) {
+  using std::floor;
+  return nan_where_nan(Jet<T, N, K>::constant(floor(a.c[0])), a.c[0]);
 }
 
 /// 1 where the mask holds, else 0.

@@ -15,6 +15,13 @@ const OperationRow* find_operation(std::string_view name) {
   return row == operation_table.end() ? nullptr : row;
 }
 
+bool is_defined_everywhere(const OperationRow& row, double number) {
+  const bool whole_power =
+      number > 0 && number == std::floor(number) &&
+      (row.operation == Operation::integer_power || row.operation == Operation::real_power);
+  return row.domain.empty() || whole_power;
+}
+
 std::string objection_to_number(Operation operation, double number) {
   const auto whole_within = [number](double least, double most) {
     return number == std::floor(number) && number >= least && number <= most;

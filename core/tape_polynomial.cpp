@@ -46,15 +46,49 @@ Polynomial moved(Polynomial p, const std::array<double, 3>& origin) {
   return p;
 }
 
-// Brings both to one origin: that of the one which depends on the axis, of `a` if both do.
-void meet(Polynomial& a, Polynomial& b) {
+// Brings both to one origin: on each axis that of the one which depends on it, and where both do,
+// that from which the other can be moved away: `may_move(p, q, axis)` tells whether the gradient of
+// the result has no larger terms if p is brought to the origin of q than it has anyhow. False if
+// neither can be moved: digits would be lost that the expression does not lose.
+bool meet(Polynomial& a, Polynomial& b, const auto& may_move) {
   std::array<double, 3> origin;
-  for (int i = 0; i < 3; ++i) origin[i] = a.depends_on(i) ? a.origin[i] : b.origin[i];
+  for (int i = 0; i < 3; ++i) {
+    const bool both = a.depends_on(i) && b.depends_on(i) && a.origin[i] != b.origin[i];
+    if (both && !may_move(a, b, i) && !may_move(b, a, i)) return false;
+    origin[i] = a.depends_on(i) && (!both || may_move(b, a, i)) ? a.origin[i] : b.origin[i];
+  }
   for (Polynomial* p : {&a, &b}) {
     for (int i = 0; i < 3; ++i)
       if (!p->depends_on(i)) p->origin[i] = origin[i];
     *p = moved(*p, origin);
   }
+  return true;
+}
+
+// Moving p by s along an axis adds 2 s Aⱼ to slope j. At its own origin, s away, q has slopes
+// bⱼ + 2 s Aⱼ of its own: as large, if A of q is.
+bool may_move_in_sum(const Polynomial& p, const Polynomial& q, int axis) {
+  const double step = std::abs(p.origin[axis] - q.origin[axis]);
+  for (int j = 0; j < 3; ++j) {
+    const double added = 2 * step * std::abs(p.square[square_index(axis, j)]);
+    const double present = 2 * step * std::abs(q.square[square_index(axis, j)]) +
+                           std::abs(p.linear[j]) + std::abs(q.linear[j]);
+    if (added > 4 * present) return false;
+  }
+  return true;
+}
+
+// Of a product p q of linear functions slope j is p qⱼ + q pⱼ. Moving p by s along an axis makes
+// terms of s p_axis qⱼ; at the origin of p, s away from that of q, the other term has s q_axis pⱼ.
+bool may_move_in_product(const Polynomial& p, const Polynomial& q, int axis) {
+  const double step = std::abs(p.origin[axis] - q.origin[axis]);
+  for (int j = 0; j < 3; ++j) {
+    const double added = step * std::abs(p.linear[axis] * q.linear[j]);
+    const double present = step * std::abs(q.linear[axis] * p.linear[j]) +
+                           std::abs(p.constant * q.linear[j]) + std::abs(q.constant * p.linear[j]);
+    if (added > 4 * present) return false;
+  }
+  return true;
 }
 
 Polynomial scaled(double factor, Polynomial p) {
@@ -119,14 +153,14 @@ Polynomial offset_by(double number, Polynomial p) {
   return p;
 }
 
-Polynomial sum_of(Polynomial a, Polynomial b) {
+std::optional<Polynomial> sum_of(Polynomial a, Polynomial b) {
   if (is_coordinate(a) && is_constant(b)) return offset_by(b.constant, a);
   if (is_coordinate(b) && is_constant(a)) return offset_by(a.constant, b);
   a = without_sign(a);
   b = without_sign(b);
   const bool b_is_term = b.sum.count == 1 && b.sum.first == 0;
   if (!b_is_term && b.sum.count > 0) std::swap(a, b);
-  meet(a, b);
+  if (!meet(a, b, may_move_in_sum)) return {};
   a.summable = a.summable && b.summable && join(a.sum, b.sum);
   a.constant += b.constant;
   for (int i = 0; i < 3; ++i) a.linear[i] += b.linear[i];
@@ -136,7 +170,7 @@ Polynomial sum_of(Polynomial a, Polynomial b) {
 
 std::optional<Polynomial> product_of(Polynomial a, Polynomial b) {
   if (!a.is_affine() || !b.is_affine()) return {};
-  meet(a, b);
+  if (!meet(a, b, may_move_in_product)) return {};
   Polynomial product;
   product.origin = a.origin;
   product.constant = a.constant * b.constant;

@@ -39,7 +39,8 @@ void quadratic_sum(const Step& step, double* memory, int count) {
     for (int k = 0; k < N; ++k) {
       const Batch t = load(memory + step.arguments[k].value.offset() + lane) - c[3 + 3 * k];
       const Batch linear = c[4 + 3 * k], quadratic = c[5 + 3 * k];
-      sum += linear * t + quadratic * (t * t);
+      // One of the factors is 0; t² may overflow where it is not asked for.
+      sum += (linear + quadratic) * (t * select(quadratic == 0, Batch(1.0), t));
       if constexpr (with_gradient)
         store(scale * (linear + (quadratic + quadratic) * t), slope[k] + lane);
     }

@@ -9,11 +9,11 @@ namespace {
 
 using Bounds = Jet<Interval, 1, 0>;
 
-Interval range_of(const Instruction& instruction, const std::vector<Interval>& known,
+Interval range_of(const Instruction& instruction, const std::vector<RangeOver>& known,
                   const Box& box) {
   const auto operand = [&](int k) {
     return Bounds::constant(instruction.operands[k] < 0 ? Interval()
-                                                        : known[instruction.operands[k]]);
+                                                        : known[instruction.operands[k]].range);
   };
   const Bounds a = operand(0);
   switch (instruction.operation) {
@@ -38,6 +38,61 @@ Interval range_of(const Instruction& instruction, const std::vector<Interval>& k
   }
 }
 
+// Whether an operation is defined for all arguments in their ranges, as far as its own range does
+// not tell: quotients, logarithms, negative powers and the tangent are unbounded where they are
+// not.
+bool is_defined_over(const Instruction& instruction, const std::vector<RangeOver>& known,
+                     const Box& box) {
+  const OperationRow* row = find_operation(instruction.operation);
+  if (row && is_defined_everywhere(*row, instruction.number)) return true;
+  const auto operand = [&](int k) { return known[instruction.operands[k]].range; };
+  switch (instruction.operation) {
+    case Operation::divide:
+    case Operation::mod:
+      return operand(1).excludes_zero();
+    case Operation::power:
+      return operand(0).low > 0 || (operand(0).low >= 0 && operand(1).low >= 0);
+    case Operation::integer_power:
+      return operand(0).excludes_zero();
+    case Operation::real_power:
+      return operand(0).low > 0 || (operand(0).low >= 0 && instruction.number > 0);
+    case Operation::sqrt:
+      return operand(0).low >= 0;
+    case Operation::log:
+      return operand(0).low > 0;
+    case Operation::tan:
+      return true;  // where its range is bounded
+    case Operation::asin:
+    case Operation::acos:
+      return operand(0).low >= -1 && operand(0).high <= 1;
+    case Operation::source: {
+      if (instruction.operands[0] >= 0) return false;
+      const Box valid = instruction.source->valid();
+      for (int axis = 0; axis < valid.dimension; ++axis)
+        if (axis >= box.dimension || box.low[axis] < valid.low[axis] ||
+            box.high[axis] > valid.high[axis])
+          return false;
+      return true;
+    }
+    default:
+      return !row && instruction.operation != Operation::partial;
+  }
+}
+
+RangeOver known_of(const Instruction& instruction, const std::vector<RangeOver>& known,
+                   const Box& box) {
+  RangeOver result{range_of(instruction, known, box), true};
+  if (instruction.operation == Operation::coordinate ||
+      instruction.operation == Operation::parameter)
+    return result;
+  for (const int operand : instruction.operands)
+    result.defined = result.defined && (operand < 0 || known[operand].defined);
+  // Where a value may be infinite, another operation may make it none: ∞ − ∞, 0 · ∞.
+  result.defined = result.defined && std::isfinite(result.range.magnitude()) &&
+                   is_defined_over(instruction, known, box);
+  return result;
+}
+
 // What an operation comes to over the box: another instruction as it is or negated, or a number.
 struct Outcome {
   enum class Kind { itself, operand, opposite, number } kind = Kind::itself;
@@ -52,15 +107,22 @@ Outcome truth(Truth known) {
 }
 
 // The conditions are those of the rules (core/jet_piecewise.hpp), over the whole box.
-Outcome outcome_of(const Instruction& instruction, const std::vector<Interval>& ranges) {
+Outcome outcome_of(const Instruction& instruction, const std::vector<RangeOver>& ranges) {
   const auto [first, second, third] = instruction.operands;
-  const Interval a = first < 0 ? Interval() : ranges[first];
-  const Interval b = second < 0 ? Interval() : ranges[second];
+  const auto known = [&](int operand) {
+    return operand < 0 ? RangeOver{{}, true} : ranges[operand];
+  };
+  const auto [a, a_defined] = known(first);
+  const auto [b, b_defined] = known(second);
+  // The branch that an `if` does not take is not looked at.
+  if (!a_defined || (!b_defined && instruction.operation != Operation::select)) return {};
   switch (instruction.operation) {
     case Operation::min:
       return a.high <= b.low ? one_of(first) : b.high < a.low ? one_of(second) : Outcome{};
     case Operation::max:
       return b.high <= a.low ? one_of(first) : a.high < b.low ? one_of(second) : Outcome{};
+    case Operation::multiply:
+      return a.is_zero() || b.is_zero() ? number(0) : Outcome{};
     case Operation::select:
       if (a.excludes_zero()) return one_of(second);
       return a.is_zero() ? one_of(third) : Outcome{};
@@ -88,16 +150,16 @@ Outcome outcome_of(const Instruction& instruction, const std::vector<Interval>& 
 
 }  // namespace
 
-std::vector<Interval> ranges_over(const std::vector<Instruction>& instructions, const Box& box) {
-  std::vector<Interval> ranges;
+std::vector<RangeOver> ranges_over(const std::vector<Instruction>& instructions, const Box& box) {
+  std::vector<RangeOver> ranges;
   ranges.reserve(instructions.size());
   for (const Instruction& instruction : instructions)
-    ranges.push_back(range_of(instruction, ranges, box));
+    ranges.push_back(known_of(instruction, ranges, box));
   return ranges;
 }
 
 std::vector<int> pruned(const std::vector<Instruction>& instructions,
-                        const std::vector<Interval>& ranges, const std::vector<int>& roots,
+                        const std::vector<RangeOver>& ranges, const std::vector<int>& roots,
                         InstructionTable& table) {
   // From the roots down along the branches that are taken: most of a large tape is never looked at.
   std::vector<Outcome> outcomes(instructions.size());

@@ -6,14 +6,21 @@
 
 namespace rfm {
 
-/// Intervals that enclose the value of each instruction over a box, whatever time and parameters
-/// are. Of a derivative within an expression nothing is said.
-std::vector<Interval> ranges_over(const std::vector<Instruction>& instructions, const Box& box);
+/// What is known of an instruction over a box.
+struct RangeOver {
+  Interval range;        ///< encloses its value where that is defined
+  bool defined = false;  ///< whether it is known to have a finite value everywhere in the box
+};
+
+/// What is known of each instruction over a box, whatever time and parameters are. Of a derivative
+/// within an expression nothing is said.
+std::vector<RangeOver> ranges_over(const std::vector<Instruction>& instructions, const Box& box);
 
 /// Copies what `roots` need into `table`, without the branches that are not taken over the box, as
-/// the ranges say; returns the number in the table of each instruction, −1 of those left out.
+/// the ranges say; nothing is decided by comparisons with what may not be defined. Returns the
+/// number in the table of each instruction, −1 of those left out.
 std::vector<int> pruned(const std::vector<Instruction>& instructions,
-                        const std::vector<Interval>& ranges, const std::vector<int>& roots,
+                        const std::vector<RangeOver>& ranges, const std::vector<int>& roots,
                         InstructionTable& table);
 
 }  // namespace rfm

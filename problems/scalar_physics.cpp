@@ -113,7 +113,8 @@ std::vector<Field> conductive_flux(const ScalarCoefficients& coefficients, const
   std::vector<Field> flux(dimension, 0.0);
   for (int i = 0; i < dimension; ++i)
     for (int j = 0; j < dimension; ++j)
-      flux[i] = flux[i] + coefficients.conductivity[i * dimension + j] * partial(f, j);
+      flux[i] =
+          flux[i] + product_or_nothing(coefficients.conductivity[i * dimension + j], partial(f, j));
   return flux;
 }
 

@@ -38,9 +38,9 @@ Structure operator+(const Structure& a, const Structure& b) {
 }
 
 Structure operator*(const Field& factor, const Structure& structure) {
-  Structure product(factor * structure.inhomogeneous_);
+  Structure product(product_or_nothing(factor, structure.inhomogeneous_));
   for (Structure::Term term : structure.terms_) {
-    term.coefficient = factor * term.coefficient;
+    term.coefficient = product_or_nothing(factor, term.coefficient);
     product.add(term);
   }
   return product;

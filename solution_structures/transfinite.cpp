@@ -17,10 +17,10 @@ Field transfinite_interpolant(const std::vector<TransfiniteDatum>& data) {
   Field numerator = 0.0, denominator = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const Field others = before[i] * after[i + 1];
-    numerator = numerator + data[i].value * others;
+    numerator = numerator + product_or_nothing(data[i].value, others);
     denominator = denominator + others;
   }
-  return numerator / denominator;
+  return numerator.is_constant(0) ? numerator : numerator / denominator;
 }
 
 }  // namespace rfm

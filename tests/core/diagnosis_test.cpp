@@ -42,6 +42,17 @@ TEST(Diagnosis, ComparisonsWithWhatIsNotANumberDoNotHideIt) {
     EXPECT_EQ(diagnose(f, {-4, 0.5}, 2), "sqrt(-4) in sqrt(x)");
 }
 
+TEST(Diagnosis, InfinityIsANumberOfWhichTheLimitIsTaken) {
+  // exp(−1/x²) is 0 at 0, and smooth: an infinite part is no mistake, an infinite result is.
+  EXPECT_EQ(diagnose(exp(-1 / (x * x)), {0, 0}, 2), "");
+  for (const Field& f : {min(1, 1 / x), tanh(1 / x), atan(1 / x), 1 / (1 / x), step(-log(x))})
+    EXPECT_EQ(diagnose(f, {0, 0}, 2), "");
+  EXPECT_EQ(diagnose(max(1, 1 / x), {0, 0}, 2), "1 / 0 in 1/x");
+  EXPECT_EQ(diagnose(0 * (1 / x), {0, 0}, 2), "1 / 0 in 1/x");
+  EXPECT_EQ(diagnose(1 / x - 1 / x, {0, 0}, 2), "1 / 0 in 1/x");
+  EXPECT_EQ(diagnose(0 / x, {0, 0}, 2), "0 / 0 in 0/x");
+}
+
 TEST(Diagnosis, DerivativesAreLookedForWhereTheyAreUsed) {
   EXPECT_EQ(diagnose(1 + partial(log(x), 0), {1e-320, 0}, 2),
             "a derivative of log(9.99989e-321) in log(x)");

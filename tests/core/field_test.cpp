@@ -39,6 +39,22 @@ TEST(Field, NeutralElementsDisappear) {
   EXPECT_TRUE(pow(x, 0.0).is_constant(1));
 }
 
+TEST(Field, ProductsWithZeroVanishOnlyWhereBothFactorsAreDefined) {
+  const Field x = x_coordinate(), y = y_coordinate();
+  for (const Field& f : {sin(x), hypot(x, y), x / 2, pow(x, 3.0), pow(x, 77.0), partial(erf(x), 0)})
+    EXPECT_TRUE((0 * f).is_constant(0));
+  for (const Field& f :
+       {log(x), sqrt(x), asin(x), x / y, pow(x, -1.0), pow(x, 0.5), pow(x, y), mod(x, y), tan(x)}) {
+    EXPECT_FALSE((0 * f).is_constant());
+    EXPECT_FALSE((sin(f) * 0).is_constant());
+    EXPECT_TRUE(product_or_nothing(0, f).is_constant(0));
+  }
+  EXPECT_FALSE((0 / x).is_constant());
+  EXPECT_TRUE(std::isnan(value_at(0 / x, {0, 0})));
+  EXPECT_TRUE(std::isnan(value_at(0 * log(x), {-1, 0})));
+  EXPECT_EQ(value_at(0 * log(x), {2, 0}), 0);
+}
+
 TEST(Field, SelectLooksAtTheChosenBranchOnly) {
   const Field safe = select(x, 1 / x, 7.0);
   EXPECT_EQ(value_at(safe, {0}), 7);

@@ -60,11 +60,52 @@ TEST(GraphDerivative, PowersHaveTheDerivativesOfJets) {
 
 TEST(GraphDerivative, SingularDerivativesAreZeroAsInJets) {
   for (const Field& f :
-       {sqrt(x), cbrt(x), log(x), asin(1 + x), hypot(x, y), atan2(y, x), pow(x, 0.3), pow(x, y),
-        abs(x), min(x, y), max(x, y), apply(Operation::r0_conjunction, {x, y}),
+       {sqrt(x), cbrt(x), asin(1 + x), hypot(x, y), atan2(y, x), pow(x, 0.3), pow(x, y), abs(x),
+        min(x, y), max(x, y), apply(Operation::r0_conjunction, {x, y}),
         apply(Operation::r0_disjunction, {x, y})})
     EXPECT_EQ(value_at(derivative_with_respect_to(f, x), {0, 0}),
               evaluate(f, {0, 0}, 1, 2).derivative(1, 0));
+}
+
+TEST(GraphDerivative, PowersOfZeroHaveTheDerivativesOfJets) {
+  const Field slope = derivative_with_respect_to(pow(x, y), x);
+  EXPECT_EQ(value_at(slope, {0, 1}), 1);
+  EXPECT_EQ(value_at(slope, {0, 2}), 0);
+  EXPECT_EQ(value_at(slope, {0, 0}), 0);
+  EXPECT_TRUE(std::isnan(value_at(slope, {0, -1})));
+}
+
+TEST(GraphDerivative, AreUndefinedWhereTheFunctionIs) {
+  const Field root = sqrt(x);
+  for (const Field& f : {log(x),
+                         step(root),
+                         floor(root),
+                         sign(root),
+                         floor(log(x)),
+                         asin(x - 1),
+                         acos(x - 1),
+                         apply(Operation::less, {root, 1.0}),
+                         apply(Operation::equal, {1.0, root}),
+                         apply(Operation::less_equal, {root, y}),
+                         mod(root, 2.0),
+                         mod(x, y - y),
+                         min(root, 3.0),
+                         max(3.0, root),
+                         abs(root),
+                         select(root, x, x),
+                         pow(x, 0.5),
+                         pow(x, 1.5),
+                         pow(x, -0.5),
+                         pow(x, y),
+                         0.0 * log(x),
+                         y * step(root)}) {
+    EXPECT_FALSE(std::isfinite(value_at(f, {-1, 0.5})));
+    EXPECT_FALSE(std::isfinite(value_at(derivative_with_respect_to(f, x), {-1, 0.5})));
+  }
+  for (const Field& f : {log(x), pow(x, -1.0), pow(x, -0.5), pow(x, y - 1)})
+    EXPECT_FALSE(std::isfinite(value_at(derivative_with_respect_to(f, x), {0, 0.5})));
+  // What does not depend on the variable is not looked at.
+  EXPECT_TRUE(derivative_with_respect_to(x + log(y), x).is_constant(1));
 }
 
 TEST(GraphDerivative, OfAParameterIsTheSensitivity) {

@@ -266,9 +266,22 @@ TEST(Jet, DerivativesAreFiniteByConventionWhereTheyDoNotExist) {
                              min(zero, also_zero)};
   for (const Number& jet : singular)
     EXPECT_THAT(jet.c, testing::Each(testing::Truly([](double c) { return std::isfinite(c); })));
-  // The value at a logarithm's pole is −∞; its derivatives are 0.
-  EXPECT_EQ(log(zero).value(), -INFINITY);
-  EXPECT_EQ(log(zero).derivative({1, 0}), 0);
+  // Where there is no finite value there are no derivatives either.
+  for (const Number& jet : {log(zero), real_power(zero, -1.5), integer_power(zero, -1),
+                            Number(1.0) / zero, general_power(zero, -one)}) {
+    EXPECT_TRUE(std::isinf(jet.value()));
+    EXPECT_FALSE(std::isfinite(jet.derivative({1, 0})));
+  }
+}
+
+TEST(Jet, PowersOfZeroWithAVariableExponentHaveTheirRegularDerivatives) {
+  // ∂ᵏ x^y / ∂xᵏ at (0, k) is k!; those by y are singular or 0.
+  for (int k = 0; k <= 3; ++k) {
+    const auto power = general_power(Jet<double, 2, 4>::variable(0, 0.0),
+                                     Jet<double, 2, 4>::variable(1, double(k)));
+    for (int i = 0; i < power.size; ++i)
+      EXPECT_EQ(power.c[i], i == jet_index(2, {static_cast<std::uint8_t>(k), 0}) ? 1 : 0);
+  }
 }
 
 TEST(Jet, PowersOfZeroHaveTheirRegularDerivatives) {

@@ -11,6 +11,9 @@ namespace {
 // The reference of the table. What depends on something that is not a number is none either, but
 // for the branch of an `if` that is not taken.
 long double reference(const Row& row, long double a, long double b, long double c) {
+  using std::pow, std::fabs, std::sqrt, std::cbrt, std::exp, std::log, std::sin, std::cos, std::tan,
+      std::asin, std::acos, std::atan, std::atan2, std::sinh, std::cosh, std::tanh, std::asinh,
+      std::erf, std::hypot, std::floor;
   const long double number = row.number;
   const int arity = find_operation(row.operation)->arity;
   if (std::isnan(a) || (arity == 2 && std::isnan(b))) return std::nan("");

@@ -158,6 +158,52 @@ TEST(TapePolynomial, ASmallCircleFarAwayLosesNoDigits) {
   EXPECT_EQ(workspace.coefficient(0, jet_index(2, {1, 1}))[0], 0);
 }
 
+// Slopes in a block against those of the operations, relative to the terms of the gradient.
+void expect_slopes_of_operations(const Field& f, const Point& point) {
+  const Tape tape({f}, {1}, 2);
+  Tape::Workspace workspace(tape);
+  tape.evaluate({{&point[0], &point[1]}, 1}, workspace);
+  const std::vector<double> jet = tape.jet(point);
+  const std::vector<double> second = Tape({f}, {2}, 2).jet(point);
+  for (const int axis : {0, 1}) {
+    const double xx = 2 * second[3 + 2 * axis], xy = second[4];
+    const double condition =
+        std::fabs(jet[1 + axis]) + std::fabs(point[axis] * xx) + std::fabs(point[1 - axis] * xy);
+    EXPECT_NEAR(workspace.coefficient(0, 1 + axis)[0], jet[1 + axis], 8 * 0x1p-53 * condition);
+  }
+}
+
+TEST(TapePolynomial, SmallTermsAboutDistantOriginsLoseNoDigits) {
+  const auto at = [](double place) { return (x - place) * (y - place); };
+  const auto round = [](double place) { return pow(x - place, 2) + pow(y - place, 2); };
+  const Field small[] = {x * y + 1e-6 * at(1000),
+                         x * y + 1e-12 * at(1e6),
+                         1e-12 * at(1e6) + x * y,
+                         x * y + 1e-18 * at(1e9),
+                         x * x + y * y - 1 + 1e-18 * round(1e9),
+                         1e-18 * round(1e9) + x * x + y * y,
+                         x * x + y * y - 1 + 1e-12 * x * (x - 1e6),
+                         (x - 1e-3) * (x + 1e-3) + 1e-12 * (x - 1e6) * (x + 3),
+                         (x - 1e6 + 1e-6 * y) * (x + y),
+                         (x + y) * (1e-3 * y + (x - 1e6)),
+                         1e-3 * at(1e3) + 1e-6 * at(1e6) + at(1)};
+  for (const Field& f : small)
+    for (const Point& point :
+         {Point{0.7, 0.3}, Point{1e-3, 1e-3}, Point{1000.5, 999}, Point{1e6, 1}})
+      expect_slopes_of_operations(f, point);
+}
+
+TEST(TapePolynomial, CoordinatesThatDoNotOccurMayBeOfAnySize) {
+  const Point far{1e200, 2, -1e300};
+  for (const Field& f : {y * y + 1, x + y * y, 3 - x - 2 * y * y}) {
+    const Tape tape({f}, {1}, 3);
+    Tape::Workspace workspace(tape);
+    tape.evaluate({{&far[0], &far[1], &far[2]}, 1}, workspace);
+    const std::vector<double> jet = tape.jet(far);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(workspace.coefficient(0, k)[0], jet[k]);
+  }
+}
+
 TEST(TapePolynomial, CoefficientsThatOverflowAreLeftToTheOperations) {
   const Tape tape({pow(1e200 * (x - 1), 2) * 1e-300}, {1}, 1);
   Tape::Workspace workspace(tape);

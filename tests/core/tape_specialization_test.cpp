@@ -61,6 +61,26 @@ TEST(Specialization, DecidesNothingAboutTimeParametersDerivativesAndRFunctions) 
   kept(apply(Operation::r0_disjunction, {x, y - 100}));
 }
 
+TEST(Specialization, HidesNothingThatIsNotDefined) {
+  // Over a box that reaches beyond the domain of a function nothing is decided by it.
+  const Box box = box_of(-3, -0.5, 0.5, 2);
+  const Field root = sqrt(x + 1), angle = asin(x);
+  const Field here = apply(Operation::less, {angle, 5.0});
+  for (const Field& f :
+       {step(log(y / x)), step(root + 1), sign(angle + 3), floor(0.1 * angle + 0.5), min(root, -1),
+        max(-1, root), select(here, y, x), apply(Operation::equal, {root, -1.0}), 0 * root,
+        step(x - 10) * root, max(pow(x, -0.5), -5), step(1 + pow(root, 0.5)), min(mod(y, x + 1), 9),
+        select(select(here, 1, 1), x, y), 0 / (x + 1)}) {
+    const Tape general({f}, {1}, 2), special = general.specialised(box);
+    for (const Point& point : {Point{-2, 1.5}, Point{-1, 1}, Point{-0.75, 0.6}})
+      EXPECT_EQ(std::isfinite(special.value(point)), std::isfinite(general.value(point)));
+  }
+  // Inside of it all is decided.
+  const Box inside = box_of(-0.9, -0.5, 0.5, 2);
+  for (const Field& f : {step(root + 1), step(angle + 3), min(root, -1), step(x - 10) * root})
+    EXPECT_EQ(length_over(f, inside), 1);
+}
+
 // A random tree of min, max, |·|, select and smooth functions.
 Field random_field(std::mt19937& generator, int depth) {
   std::uniform_real_distribution<double> uniform(-1, 1);
