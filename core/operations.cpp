@@ -6,8 +6,10 @@
 namespace rfm {
 
 const OperationRow* find_operation(Operation operation) {
-  const auto* row = std::ranges::find(operation_table, operation, &OperationRow::operation);
-  return row == operation_table.end() ? nullptr : row;
+  // The rows follow each other as the enumerators do, after leaves and nodes with a payload.
+  constexpr int first = static_cast<int>(operation_table[0].operation);
+  const int row = static_cast<int>(operation) - first;
+  return row < 0 ? nullptr : &operation_table[row];
 }
 
 const OperationRow* find_operation(std::string_view name) {
