@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "core/contour.hpp"
 #include "core/contour_nesting.hpp"
 #include "core/curve_division.hpp"
 #include "core/error.hpp"
@@ -16,81 +15,11 @@
 namespace rfm {
 namespace {
 
-// An edge as it was given, with what names and functions need.
-struct Edge {
-  std::string name;
-  int contour = 0;
-  CurvePiece whole;               ///< of an arc beyond a semicircle, its first half
-  std::optional<Point> center{};  ///< of a circular arc
-  double radius = 0;
-  Point from{}, to{};
-};
-
-std::vector<CurvePiece> pieces_of(const Point& from, const Point& to, const EdgeCurve& curve,
-                                  int number, Edge& edge) {
-  edge.from = from;
-  edge.to = to;
-  if (curve.conic) {
-    const CurvePiece piece =
-        CurvePiece::conic(from, curve.conic->control, curve.conic->weight, to, number);
-    return {edge.whole = piece};
-  }
-  const double b = curve.bulge;
-  if (b == 0) return {edge.whole = CurvePiece::straight(from, to, number)};
-  // The centre lies at (1 − b²) / 4b chords to the left of the chord's middle.
-  const double shift = (1 - b * b) / (4 * b), dx = to[0] - from[0], dy = to[1] - from[1];
-  edge.center = Point{(from[0] + to[0]) / 2 - shift * dy, (from[1] + to[1]) / 2 + shift * dx};
-  edge.radius = std::hypot(dx, dy) * (1 + b * b) / (4 * std::fabs(b));
-  if (std::fabs(b) <= 1) return {edge.whole = CurvePiece::arc(from, to, b, number)};
-  const Point middle{(from[0] + to[0]) / 2 + b / 2 * dy, (from[1] + to[1]) / 2 - b / 2 * dx};
-  const double half = std::tan(std::atan(b) / 2);
-  edge.whole = CurvePiece::arc(from, middle, half, number);
-  return {edge.whole, CurvePiece::arc(middle, to, half, number)};
-}
-
-std::vector<Point> outline_of(const std::vector<CurvePiece>& pieces) {
-  std::vector<Point> points;
-  for (const CurvePiece& piece : pieces) {
-    const auto corners = piece.hull();
-    points.push_back(piece.from);
-    if (!piece.is_straight()) points.insert(points.end(), {corners[1], piece.middle(), corners[2]});
-  }
-  return points;
-}
-
-// The contour as pieces, counter-clockwise.
-std::vector<CurvePiece> cleaned(const CurvedContour& contour, int number,
-                                std::vector<Edge>& edges) {
-  std::vector<CurvePiece> pieces;
-  const std::size_t count = contour.points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point &from = contour.points[i], &to = contour.points[(i + 1) % count];
-    const EdgeCurve curve = i < contour.edges.size() ? contour.edges[i] : EdgeCurve{};
-    const std::string name = contour.prefix + "edge" + std::to_string(i + 1);
-    if (!std::isfinite(from[0]) || !std::isfinite(from[1]) || !std::isfinite(curve.bulge))
-      throw InvalidArgument("the numbers of " + name + " are not finite");
-    if (curve.conic && !(curve.conic->weight > 0 && curve.conic->weight < 1e6))
-      throw InvalidArgument("the weight of " + name + " must be positive");
-    if (from == to) continue;
-    edges.push_back({name, number, {}});
-    const auto more = pieces_of(from, to, curve, static_cast<int>(edges.size()) - 1, edges.back());
-    pieces.insert(pieces.end(), more.begin(), more.end());
-  }
-  if (pieces.size() < 2)
-    throw InvalidArgument("a curved polygon needs at least two different points");
-  const double area = twice_area(outline_of(pieces));
-  if (area == 0) throw InvalidArgument("the curved polygon has no area");
-  if (area < 0) {
-    std::ranges::reverse(pieces);
-    for (CurvePiece& piece : pieces) piece = piece.reversed();
-  }
-  return pieces;
-}
-
 // Primitives and expressions of a curved polygon.
 class CurvedPolygonBuilder {
  public:
-  CurvedPolygonBuilder(std::vector<Edge> edges, std::vector<std::vector<ContourLink>> contours)
+  CurvedPolygonBuilder(std::vector<CurvedEdge> edges,
+                       std::vector<std::vector<ContourLink>> contours)
       : edges_(std::move(edges)), contours_(std::move(contours)) {}
 
   // Nothing if arcs have to be divided: see `blocking`.
@@ -145,10 +74,33 @@ class CurvedPolygonBuilder {
       if (primitive.name != edges_[e].name)
         sides.push_back({edges_[e].name, {primitive.name}, part(edges_[e])});
     }
+    add_groups(sides);
     return sides;
   }
 
  private:
+  // Sides of several edges; only parts of primitives that edges of other groups share.
+  void add_groups(std::vector<OutlineSide>& sides) const {
+    std::map<std::string, std::vector<int>> groups;
+    std::map<int, std::set<std::string>> groups_of;  // of primitives
+    for (const auto& [edge, primitive] : curve_of_) {
+      groups_of[primitive].insert(edges_[edge].group);
+      if (!edges_[edge].group.empty()) groups[edges_[edge].group].push_back(edge);
+    }
+    for (const auto& [name, edges] : groups) {
+      std::set<std::string> pieces;
+      std::optional<Field> where;
+      bool shared = false;
+      for (const int edge : edges) {
+        const int primitive = curve_of_.at(edge);
+        pieces.insert(primitives_[primitive].name);
+        shared = shared || groups_of[primitive].size() > 1;
+        where = where ? max(*where, part(edges_[edge])) : part(edges_[edge]);
+      }
+      sides.push_back({name, {pieces.begin(), pieces.end()}, shared ? where : std::nullopt});
+    }
+  }
+
   // Chords of all links, grouped by line; a group without a straight edge is a separator.
   void add_lines() {
     std::vector<Segment> segments;
@@ -207,7 +159,7 @@ class CurvedPolygonBuilder {
   // The primitive of a curved edge: its own, or that of an edge on the same circle.
   int curve(int number) {
     if (const auto known = curve_of_.find(number); known != curve_of_.end()) return known->second;
-    const Edge& edge = edges_[number];
+    const CurvedEdge& edge = edges_[number];
     const int next = static_cast<int>(primitives_.size());
     if (edge.center) {
       for (const auto& [other, primitive] : curve_of_)
@@ -230,7 +182,7 @@ class CurvedPolygonBuilder {
     return curve_of_[number] = next;
   }
 
-  static bool same_circle(const Edge& a, const Edge& b) {
+  static bool same_circle(const CurvedEdge& a, const CurvedEdge& b) {
     if (!a.center || !b.center) return false;
     const double distance =
         std::hypot((*a.center)[0] - (*b.center)[0], (*a.center)[1] - (*b.center)[1]);
@@ -268,7 +220,7 @@ class CurvedPolygonBuilder {
     return {"", normalize(level, 2), level, true};
   }
 
-  static Field part(const Edge& edge) {
+  static Field part(const CurvedEdge& edge) {
     const Field x = x_coordinate(), y = y_coordinate();
     const Point &p = edge.from, &q = edge.to;
     if (edge.center)  // of its circle, the part beyond the chord
@@ -277,7 +229,7 @@ class CurvedPolygonBuilder {
     return (x - p[0]) * (q[0] - x) + (y - p[1]) * (q[1] - y);
   }
 
-  std::vector<Edge> edges_;
+  std::vector<CurvedEdge> edges_;
   std::vector<std::vector<ContourLink>> contours_;
   LineGroups lines_;
   std::vector<Primitive> primitives_;
@@ -290,12 +242,11 @@ class CurvedPolygonBuilder {
 
 Outline curved_polygon(const std::vector<CurvedContour>& contours) {
   if (contours.empty()) throw InvalidArgument("a curved polygon needs a contour");
-  std::vector<Edge> edges;
+  std::vector<CurvedEdge> edges;
   std::vector<std::vector<CurvePiece>> pieces;
-  for (std::size_t c = 0; c < contours.size(); ++c)
-    pieces.push_back(cleaned(contours[c], static_cast<int>(c), edges));
+  for (const CurvedContour& contour : contours) pieces.push_back(cleaned(contour, edges));
   std::vector<std::string> names;
-  for (const Edge& edge : edges) names.push_back(edge.name);
+  for (const CurvedEdge& edge : edges) names.push_back(edge.name);
   constexpr int most_rounds = 12;
   for (int round = 0; round < most_rounds; ++round) {
     const auto links = divided(pieces, names);

@@ -1,34 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "core/curved_contour.hpp"
 #include "core/outline.hpp"
 
 namespace rfm {
-
-/// How a corner is joined to the next one.
-struct EdgeCurve {
-  /// Of a circular arc: the tangent of a quarter of its angle, positive where it runs
-  /// counter-clockwise (as in DXF); 0 is straight, 1 a semicircle.
-  double bulge = 0;
-  /// Of a conic: the point where the tangents at its ends meet, and the weight of the rational
-  /// quadratic Bézier curve: an arc of an ellipse below 1, of a parabola at 1, of a hyperbola
-  /// above.
-  struct Conic {
-    Point control{};
-    double weight = 1;
-  };
-  std::optional<Conic> conic = {};
-};
-
-/// A closed contour of straight and curved edges: edges[i] joins points[i] and points[i + 1].
-struct CurvedContour {
-  std::vector<Point> points;
-  std::vector<EdgeCurve> edges;
-  std::string prefix = {};
-};
 
 /// The inside of simple contours with curved edges, which may lie in each other (holes, islands),
 /// either way round: see `polygon` for names and nesting.

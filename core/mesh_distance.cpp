@@ -37,13 +37,18 @@ TrianglePoint on_segment(const Point& a, const Point& b, const Point& point) {
   return {along(a, step, t), 1, {unit(step), Point{}}};
 }
 
-double square_below(const Box& box, const Point& point) {
-  double square = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double away = std::max({0.0, box.low[axis] - point[axis], point[axis] - box.high[axis]});
-    square += away * away;
+std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
+  if (triangles.empty()) throw InvalidArgument("a surface without triangles does not exist");
+  std::vector<Box> boxes;
+  for (const Triangle& triangle : triangles) {
+    Box& box = boxes.emplace_back(3, triangle[0], triangle[0]);
+    for (const Point& corner : triangle)
+      for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], corner[axis]);
+        box.high[axis] = std::max(box.high[axis], corner[axis]);
+      }
   }
-  return square;
+  return boxes;
 }
 
 }  // namespace
@@ -69,55 +74,13 @@ TrianglePoint nearest_point(const Triangle& triangle, const Point& point) {
 }
 
 MeshSquareDistance::MeshSquareDistance(std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)) {
-  if (triangles_.empty()) throw InvalidArgument("a surface without triangles does not exist");
-  build(0, static_cast<int>(triangles_.size()));
-}
-
-int MeshSquareDistance::build(int begin, int end) {
-  constexpr int leaf = 4;
-  Node node{{3, {infinite, infinite, infinite}, {-infinite, -infinite, -infinite}}, begin, end};
-  for (int i = begin; i < end; ++i)
-    for (const Point& corner : triangles_[i])
-      for (int axis = 0; axis < 3; ++axis) {
-        node.box.low[axis] = std::min(node.box.low[axis], corner[axis]);
-        node.box.high[axis] = std::max(node.box.high[axis], corner[axis]);
-      }
-  const int number = static_cast<int>(nodes_.size());
-  nodes_.push_back(node);
-  if (end - begin <= leaf) return number;
-  const int axis = node.box.longest_axis(), middle = (begin + end) / 2;
-  const auto place = [axis](const Triangle& t) { return t[0][axis] + t[1][axis] + t[2][axis]; };
-  std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle,
-                   triangles_.begin() + end,
-                   [&](const Triangle& a, const Triangle& b) { return place(a) < place(b); });
-  const int left = build(begin, middle), right = build(middle, end);
-  nodes_[number].left = left;
-  nodes_[number].right = right;
-  return number;
-}
-
-template <class Visit, class Limit>
-void MeshSquareDistance::walk(int node, const Point& point, const Visit& visit,
-                              const Limit& limit) const {
-  const Node& here = nodes_[node];
-  if (square_below(here.box, point) > limit()) return;
-  if (here.left < 0) {
-    for (int i = here.begin; i < here.end; ++i) visit(i);
-    return;
-  }
-  int near = here.left, far = here.right;
-  if (square_below(nodes_[far].box, point) < square_below(nodes_[near].box, point))
-    std::swap(near, far);
-  walk(near, point, visit, limit);
-  walk(far, point, visit, limit);
-}
+    : triangles_(std::move(triangles)), tree_(boxes_of(triangles_)) {}
 
 int MeshSquareDistance::nearest_triangle(const Point& point) const {
   double best = infinite;
   int nearest = 0;
-  walk(
-      0, point,
+  tree_.walk(
+      point,
       [&](int i) {
         const double square = square_distance(nearest_point(triangles_[i], point).nearest, point);
         if (square < best) best = square, nearest = i;
@@ -182,8 +145,8 @@ FunctionBounds MeshSquareDistance::bounds(const Box& box) const {
   std::array<Interval, 3> gradient;
   bool first = true;
   const double farthest = distance + 2 * reach + rounding;
-  walk(
-      0, center,
+  tree_.walk(
+      center,
       [&](int i) {
         const Point p = nearest_point(triangles_[i], center).nearest;
         const Point offset = minus(center, p);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/box_tree.hpp"
 #include "core/field_source.hpp"
 
 namespace rfm {
@@ -34,19 +35,10 @@ class MeshSquareDistance final : public FieldSource {
   Box valid() const override;
 
  private:
-  struct Node {
-    Box box;
-    int begin, end;  ///< triangles
-    int left = -1, right = -1;
-  };
-  int build(int begin, int end);
-  /// Calls `visit` with triangles of nodes whose boxes are nearer than `limit()`, near ones first.
-  template <class Visit, class Limit>
-  void walk(int node, const Point& point, const Visit& visit, const Limit& limit) const;
   int nearest_triangle(const Point& point) const;
 
   std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 }  // namespace rfm

@@ -25,6 +25,8 @@ struct OutlineSide {
 struct Outline {
   Region region;
   std::vector<OutlineSide> sides;
+  /// The Euclidean distance, positive inside, where it was asked for.
+  std::optional<Field> distance = {};
 };
 
 }  // namespace rfm

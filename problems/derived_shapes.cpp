@@ -151,6 +151,11 @@ Region ShapeReader::build_transform(const DocumentNode& node) {
   else if (about && about->text != "origin")
     values_.mistakes.add("expected a point or 'origin' for 'about'", about->place);
   if (!shape) return stand_in_shape(dimension);
+  if (const auto exact = distances_.find(of->text); exact != distances_.end()) {
+    const Region moved =
+        transformed(Region(Primitive{"", exact->second, exact->second}, dimension), similarity);
+    distances_.emplace(building_.back(), moved.primitives()[0]->function);
+  }
   return with_own_names(transformed(*shape, similarity), of->text, false);
 }
 

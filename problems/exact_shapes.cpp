@@ -37,6 +37,17 @@ class Values {
     }
     return std::nullopt;
   }
+  std::optional<Field> whole(const std::string& kind) const {
+    if (kind == "box") {
+      const std::optional<Box> box = values_.box(node_);
+      return box ? box_distance(box->low, box->high, values_.dimension) : std::optional<Field>();
+    }
+    if (kind == "strip") return strip_distance(point("point"), point("normal"), number("width"));
+    if (kind == "sector")
+      return sector_distance(point("center"), number("radius"), number("from") * radians_per_degree,
+                             number("to") * radians_per_degree, number("inner_radius"));
+    return std::nullopt;
+  }
 
  private:
   double number(const char* key) const {
@@ -52,14 +63,25 @@ class Values {
   const ValueReader& values_;
 };
 
+bool asks_for_it(const DocumentNode& node, const ValueReader& values) {
+  const DocumentNode* exact = node.is_map() ? values.find(node, "exact") : nullptr;
+  return exact && exact->text == "true" && values.mistakes.empty();
+}
+
 }  // namespace
 
 Region with_exact_distance(const Region& region, const std::string& kind, const DocumentNode& node,
                            const ValueReader& values) {
-  const DocumentNode* exact = node.is_map() ? values.find(node, "exact") : nullptr;
-  if (!exact || exact->text != "true" || !values.mistakes.empty()) return region;
+  if (!asks_for_it(node, values)) return region;
+  if (kind == "sector") return with_exact_sides(region);
   const std::optional<Field> distance = Values(node, values).distance(kind);
   return distance ? with_function(region, *distance) : region;
+}
+
+std::optional<Field> whole_distance(const std::string& kind, const DocumentNode& node,
+                                    const ValueReader& values) {
+  if (!asks_for_it(node, values)) return std::nullopt;
+  return Values(node, values).whole(kind);
 }
 
 }  // namespace rfm

@@ -1,10 +1,15 @@
 #include "problems/outline_reader.hpp"
 
 #include <filesystem>
+#include <map>
 
+#include "core/arc_spline.hpp"
 #include "core/contour.hpp"
+#include "core/contour_distance.hpp"
 #include "core/curved_polygon.hpp"
+#include "core/exact_distances.hpp"
 #include "core/polygon.hpp"
+#include "core/stroke.hpp"
 #include "problems/point_files.hpp"
 #include "problems/text_files.hpp"
 
@@ -81,14 +86,51 @@ EdgeCurve edge_of(const DocumentNode& item, double bulge, const ValueReader& val
   return edge;
 }
 
+bool is_true(const DocumentNode* node) { return node && node->text == "true"; }
+
+// With the Euclidean distance if `exact` is set.
+Outline outline_of(const std::vector<CurvedContour>& contours, bool exact) {
+  Outline outline = curved_polygon(contours);
+  if (!exact) return outline;
+  outline.region = with_exact_sides(outline.region);
+  outline.distance = contour_distance(contours);
+  return outline;
+}
+
+// The inside of a closed spline. Its sides are the spans, edge i from point i to point i + 1.
+std::vector<CurvedContour> filled(const ArcSpline& spline) {
+  CurvedContour contour;
+  std::map<int, int> arcs;
+  for (std::size_t i = 0; i < spline.edges.size(); ++i) {
+    const std::string span = "edge" + std::to_string(spline.spans[i] + 1);
+    contour.points.push_back(spline.edges[i].from);
+    contour.edges.push_back({spline.edges[i].bulge, {}});
+    contour.names.push_back(span + "_arc" + std::to_string(++arcs[spline.spans[i]]));
+    contour.groups.push_back(span);
+  }
+  return {contour};
+}
+
 }  // namespace
 
 bool OutlineReader::reads(const std::string& kind) {
-  return kind == "polygon" || kind == "curved_polygon";
+  return kind == "polygon" || kind == "curved_polygon" || kind == "polyline" || kind == "spline";
 }
 
 std::optional<Outline> OutlineReader::read(const std::string& kind,
                                            const DocumentNode& node) const {
+  const DocumentNode* where = values_.find(node, values_.find(node, "file") ? "file" : "points");
+  try {
+    return kind == "polyline" || kind == "spline" ? read_stroke(kind, node)
+                                                  : read_polygon(kind, node);
+  } catch (const InvalidArgument& error) {
+    values_.mistakes.add(error.what(), where->place);
+    return std::nullopt;
+  }
+}
+
+std::optional<Outline> OutlineReader::read_polygon(const std::string& kind,
+                                                   const DocumentNode& node) const {
   const PointReader reader(values_, node);
   auto lists = reader.read();
   if (!lists) return std::nullopt;
@@ -104,25 +146,49 @@ std::optional<Outline> OutlineReader::read(const std::string& kind,
         return std::nullopt;
       }
     }
-  const DocumentNode* where = values_.find(node, of_file ? "file" : "points");
-  try {
-    if (kind == "polygon") {
-      std::vector<Contour> contours;
-      for (std::size_t c = 0; c < lists->size(); ++c)
-        contours.push_back({(*lists)[c].points, prefix_of(c, of_file && !holes)});
-      return polygon(contours);
+  const bool exact = is_true(values_.find(node, "exact"));
+  std::vector<CurvedContour> curves;
+  for (std::size_t c = 0; c < lists->size(); ++c)
+    curves.push_back(curved((*lists)[c], prefix_of(c, of_file && !holes)));
+  if (kind == "polygon") {
+    std::vector<Contour> contours;
+    for (CurvedContour& curve : curves) {
+      contours.push_back({curve.points, curve.prefix});
+      curve.edges.clear();  // a file may hold bulges
     }
-    std::vector<CurvedContour> contours;
-    for (std::size_t c = 0; c < lists->size(); ++c)
-      contours.push_back(curved((*lists)[c], prefix_of(c, of_file && !holes)));
-    if (!of_file)
-      for (std::size_t i = 0; i < where->items.size(); ++i)
-        contours[0].edges[i] = edge_of(where->items[i], contours[0].edges[i].bulge, values_);
-    return curved_polygon(contours);
-  } catch (const InvalidArgument& error) {
-    values_.mistakes.add(error.what(), where->place);
+    Outline outline = polygon(contours);
+    if (exact) outline.distance = contour_distance(curves);
+    return outline;
+  }
+  if (!of_file) {
+    const auto& items = values_.find(node, "points")->items;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      curves[0].edges[i] = edge_of(items[i], curves[0].edges[i].bulge, values_);
+  }
+  return outline_of(curves, exact);
+}
+
+std::optional<Outline> OutlineReader::read_stroke(const std::string& kind,
+                                                  const DocumentNode& node) const {
+  const auto lists = PointReader(values_, node).read();
+  if (!lists) return std::nullopt;
+  const DocumentNode *given = values_.find(node, "width"), *loop = values_.find(node, "closed");
+  const auto width = given ? values_.number(*given) : std::nullopt;
+  if (given && !width) return std::nullopt;
+  const DocumentNode* where = values_.find(node, values_.find(node, "file") ? "file" : "points");
+  if (lists->size() > 1) {
+    values_.mistakes.add("expected one curve but found " + std::to_string(lists->size()),
+                         where->place);
     return std::nullopt;
   }
+  const std::vector<Point>& points = lists->front().points;
+  const bool closed =
+      is_true(loop) || !width || (points.size() > 2 && points.front() == points.back());
+  const bool exact = is_true(values_.find(node, "exact"));
+  if (kind == "polyline")
+    return outline_of(stroke_outline(polyline_edges(points, closed), closed, *width), exact);
+  const ArcSpline spline = arc_spline(points, closed);
+  return outline_of(width ? stroke_outline(spline.edges, closed, *width) : filled(spline), exact);
 }
 
 }  // namespace rfm

@@ -8,7 +8,8 @@
 
 namespace rfm {
 
-/// Reads shapes that are given by lists of points, in the file or in files of their own beside it.
+/// Reads shapes that are given by lists of points, in the file or in files of their own beside it:
+/// polygons, curved polygons, polylines and splines.
 class OutlineReader {
  public:
   /// Refers to `values`.
@@ -19,6 +20,9 @@ class OutlineReader {
   std::optional<Outline> read(const std::string& kind, const DocumentNode& node) const;
 
  private:
+  std::optional<Outline> read_polygon(const std::string& kind, const DocumentNode& node) const;
+  std::optional<Outline> read_stroke(const std::string& kind, const DocumentNode& node) const;
+
   const ValueReader& values_;
 };
 

@@ -24,13 +24,6 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& map) {
   return keys;
 }
 
-// The function of `plate`, `plate.left` or `domain`, given the shape or the domain.
-Field omega_of(const Region& region, const std::string& name) {
-  for (const auto& primitive : region.primitives())
-    if (primitive->name == name) return primitive->function;
-  return implicit(region);
-}
-
 bool has_side(const Region& region, const std::string& name) {
   return std::ranges::any_of(region.primitives(),
                              [&](const auto& primitive) { return primitive->name == name; });
@@ -45,6 +38,14 @@ Region stand_in_shape(int dimension) {
   for (int axis = 0; axis < dimension; ++axis)
     inside = inside - coordinate(axis) * coordinate(axis);
   return level_set(inside, dimension);
+}
+
+Field ShapeReader::omega_of(const Region& region, const std::string& name,
+                            const std::map<std::string, Field>& distances) {
+  if (const auto exact = distances.find(name); exact != distances.end()) return exact->second;
+  for (const auto& primitive : region.primitives())
+    if (primitive->name == name) return primitive->function;
+  return implicit(region);
 }
 
 ShapeReader::ShapeReader(const DocumentNode& root, ValueReader& values, SetReader& sets,
@@ -80,6 +81,8 @@ void ShapeReader::read_all() {
   const DocumentNode* text =
       geometry && list_ == "shapes" ? values_.find(*geometry, "domain") : nullptr;
   if (text) domain_ = region(*text);
+  if (text && distances_.contains(text->text))
+    distances_.emplace("domain", distances_.at(text->text));
 }
 
 Region ShapeReader::shape(const BooleanText::Name& name) {
@@ -130,6 +133,8 @@ Region ShapeReader::build(const std::string& name, const DocumentNode& node) {
       if (values_.fits(entry.value)) {
         const Region region = with_exact_distance(build_kind(entry.key, entry.value), entry.key,
                                                   entry.value, values_);
+        if (const auto whole = whole_distance(entry.key, entry.value, values_))
+          distances_.emplace(name, *whole);
         // Sides keep the names of the shapes they come from.
         return entry.key == "combine" ? region : region.named(name);
       }
@@ -158,6 +163,7 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
   if (OutlineReader::reads(kind)) {
     const auto outline = OutlineReader(values_).read(kind, node);
     if (!outline) return stand_in_shape(2);
+    if (outline->distance) distances_.emplace(building_.back(), *outline->distance);
     for (OutlineSide side : outline->sides) {
       for (std::string& piece : side.pieces) piece = building_.back() + "." + piece;
       side.name = building_.back() + "." + side.name;
@@ -243,7 +249,7 @@ ExpressionFunction ShapeReader::omega() {
       if (!building_.empty())
         throw InputError("a shape cannot name the domain it is part of", argument.offset,
                          argument.length);
-      return domain_ ? implicit(*domain_) : Field(1.0);
+      return domain_ ? omega_of(*domain_, "domain", distances_) : Field(1.0);
     }
     if (sets_.contains(argument.text)) return sets_.built(argument.text, argument.offset).function;
     const bool is_side = !nodes_.contains(argument.text);
@@ -253,22 +259,22 @@ ExpressionFunction ShapeReader::omega() {
     if (is_side && !has_side(region, argument.text))
       throw InputError("'" + name + "' has no side '" + argument.text.substr(name.size() + 1) + "'",
                        argument.offset, argument.length);
-    return omega_of(region, argument.text);
+    return omega_of(region, argument.text, distances_);
   };
   return {1, 1, value, true};
 }
 
 ExpressionFunction ShapeReader::final_omega() const {
-  const auto value = [shapes = built_, sets = sets_.sets(), domain = domain_](
+  const auto value = [shapes = built_, sets = sets_.sets(), domain = domain_, exact = distances_](
                          std::span<const ExpressionArgument> arguments) -> ExpressionValue {
     const std::string& name = arguments[0].text;
-    if (name == "domain" && domain) return implicit(*domain);
+    if (name == "domain" && domain) return omega_of(*domain, name, exact);
     if (const auto set = sets.find(name); set != sets.end()) return set->second.function;
     const auto shape = shapes.find(shapes.contains(name) ? name : shape_of_side(name));
     if (shape == shapes.end())
       throw InputError("unknown shape '" + name + "'" + did_you_mean(name, keys_of(shapes)),
                        arguments[0].offset, arguments[0].length);
-    return omega_of(shape->second, name);
+    return omega_of(shape->second, name, exact);
   };
   return {1, 1, value, true};
 }

@@ -63,6 +63,9 @@ class ShapeReader {
   Region build_transform(const DocumentNode& node);
   Region build_quadric(const DocumentNode& node);
   ExpressionFunction omega();
+  /// The function of `plate`, `plate.left` or `domain`, given the shape or the domain.
+  static Field omega_of(const Region& region, const std::string& name,
+                        const std::map<std::string, Field>& distances);
 
   const DocumentNode& root_;
   ValueReader& values_;
@@ -73,6 +76,7 @@ class ShapeReader {
   std::map<std::string, Place> key_places_;
   std::map<std::string, Region> built_;
   std::map<std::string, OutlineSide> sides_;
+  std::map<std::string, Field> distances_;  ///< of shapes as a whole, where `exact` is set
   std::vector<std::string> building_;
   std::map<std::string, std::set<std::string>> names_in_;  ///< "": named outside of shapes
   std::optional<Region> domain_;

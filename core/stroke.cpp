@@ -1,0 +1,238 @@
+#include "core/stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "core/edge_intersections.hpp"
+#include "core/error.hpp"
+
+namespace rfm {
+namespace {
+
+// A part of the boundary of the stroke, which lies on its left, or so it seems until it is compared
+// with the others.
+struct Side {
+  CircularEdge edge;
+  const char* group;
+};
+
+Point shifted_left(const Point& point, const Point& direction, double distance) {
+  return {point[0] - distance * direction[1], point[1] + distance * direction[0]};
+}
+
+// The edge moved to its left; nothing where that leads to the centre of its circle or beyond.
+std::optional<CircularEdge> offset_left(const CircularEdge& edge, double distance) {
+  if (edge.curvature() * distance >= 1 - 1e-12) return {};
+  return CircularEdge{shifted_left(edge.from, edge.start_direction(), distance),
+                      shifted_left(edge.to, edge.end_direction(), distance), edge.bulge};
+}
+
+// Sides of an outline before they are cut.
+class SideList {
+ public:
+  SideList(const std::vector<CircularEdge>& chain, bool closed, double radius) : radius_(radius) {
+    const std::size_t count = chain.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      // The stroke is on the left of its right side, walked forwards, and of its left one, walked
+      // back.
+      if (const auto right = offset_left(chain[i], -radius)) add(*right, "right");
+      if (const auto left = offset_left(chain[i].reversed(), -radius)) add(*left, "left");
+      if (closed || i + 1 < count) add_corner(chain[i], chain[(i + 1) % count]);
+    }
+    if (closed) return;
+    const Point first = chain.front().start_direction(), last = chain.back().end_direction();
+    add_turn(chain.back().to, last, pi_, "end");
+    add_turn(chain.front().from, {-first[0], -first[1]}, pi_, "start");
+  }
+
+  const std::vector<Side>& sides() const { return sides_; }
+
+ private:
+  void add(const CircularEdge& edge, const char* group) { sides_.push_back({edge, group}); }
+
+  // About a point, from the right of a direction counter-clockwise.
+  void add_turn(const Point& center, const Point& direction, double angle, const char* group) {
+    const int parts = angle > pi_ / 2 ? 2 : 1;
+    for (int i = 0; i < parts; ++i) {
+      const auto at = [&](int k) {
+        const double turned = angle * k / parts, c = std::cos(turned), s = std::sin(turned);
+        return shifted_left(
+            center, {c * direction[0] - s * direction[1], s * direction[0] + c * direction[1]},
+            -radius_);
+      };
+      add({at(i), at(i + 1), std::tan(angle / parts / 4)}, group);
+    }
+  }
+
+  void add_corner(const CircularEdge& before, const CircularEdge& after) {
+    const Point in = before.end_direction(), out = after.start_direction();
+    const double angle =
+        std::atan2(in[0] * out[1] - in[1] * out[0], in[0] * out[0] + in[1] * out[1]);
+    if (std::fabs(angle) < smallest_turn_) return;
+    if (angle > 0)
+      add_turn(before.to, in, angle, "right");
+    else
+      add_turn(before.to, {-out[0], -out[1]}, -angle, "left");
+  }
+
+  static constexpr double pi_ = 3.14159265358979323846;
+  static constexpr double smallest_turn_ = 1e-9;  // then the sides meet within their rounding
+  double radius_;
+  std::vector<Side> sides_;
+};
+
+double distance_from(const std::vector<CircularEdge>& chain, const Point& point) {
+  double least = INFINITY;
+  for (const CircularEdge& edge : chain) least = std::min(least, edge.distance(point));
+  return least;
+}
+
+bool overlap(const Box& a, const Box& b, double margin) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (a.low[axis] > b.high[axis] + margin || b.low[axis] > a.high[axis] + margin) return false;
+  return true;
+}
+
+double apart(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+// Where along an edge a point of it lies: its length, or the angle.
+double place_on(const CircularEdge& edge, const Point& point) {
+  if (edge.bulge == 0) return apart(edge.from, point) / edge.chord();
+  return std::atan(CircularEdge::leaving(edge.from, edge.start_direction(), point).bulge /
+                   (edge.bulge > 0 ? 1 : -1));
+}
+
+// For each side the points where it is cut, along it.
+std::vector<std::vector<Point>> cuts_of(const std::vector<Side>& sides, double tolerance) {
+  std::vector<Box> boxes;
+  for (const Side& side : sides) boxes.push_back(side.edge.bounding_box());
+  std::vector<std::vector<Point>> cuts(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      if (!overlap(boxes[i], boxes[j], tolerance)) continue;
+      const CircularEdge &a = sides[i].edge, &b = sides[j].edge;
+      for (const Point& point : crossings(a, b)) {
+        if (a.distance(point) > tolerance || b.distance(point) > tolerance) continue;
+        for (const std::size_t k : {i, j}) {
+          const CircularEdge& edge = sides[k].edge;
+          if (apart(point, edge.from) > tolerance && apart(point, edge.to) > tolerance)
+            cuts[k].push_back(point);
+        }
+      }
+    }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    std::ranges::sort(cuts[i], {}, [&](const Point& p) { return place_on(sides[i].edge, p); });
+    const auto [first, last] = std::ranges::unique(
+        cuts[i], [&](const Point& p, const Point& q) { return apart(p, q) <= tolerance; });
+    cuts[i].erase(first, last);
+  }
+  return cuts;
+}
+
+CircularEdge part(const CircularEdge& edge, const Point& from, const Point& to) {
+  CircularEdge result = to == edge.to ? edge : edge.divided_at(to)[0];
+  return from == edge.from ? result : result.divided_at(from)[1];
+}
+
+// What is left of a side, with neighbouring parts as one.
+void add_parts(const Side& side, std::vector<Point> cuts, const std::vector<CircularEdge>& chain,
+               double radius, std::vector<Side>& kept) {
+  cuts.insert(cuts.begin(), side.edge.from);
+  cuts.push_back(side.edge.to);
+  std::optional<Point> begin;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const CircularEdge piece = part(side.edge, cuts[i], cuts[i + 1]);
+    const bool is_boundary = distance_from(chain, piece.middle()) >= radius * (1 - 1e-9);
+    if (is_boundary && !begin) begin = cuts[i];
+    if (begin && !is_boundary) kept.push_back({part(side.edge, *begin, cuts[i]), side.group});
+    if (!is_boundary) begin.reset();
+  }
+  if (begin) kept.push_back({part(side.edge, *begin, cuts.back()), side.group});
+}
+
+// A chain that runs back along itself has the same sides twice.
+std::vector<Side> without_repetitions(const std::vector<Side>& sides, double tolerance) {
+  std::vector<Side> once;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const CircularEdge& edge = sides[i].edge;
+    const auto holds = [&](const CircularEdge& other) {
+      return other.distance(edge.from) <= tolerance && other.distance(edge.middle()) <= tolerance &&
+             other.distance(edge.to) <= tolerance;
+    };
+    bool repeats = false;
+    for (std::size_t k = 0; k < sides.size() && !repeats; ++k) {
+      const CircularEdge& other = sides[k].edge;
+      const bool longer = other.chord() > edge.chord() + tolerance;
+      repeats = k != i && (longer || k < i) && holds(other);
+    }
+    if (!repeats) once.push_back(sides[i]);
+  }
+  return once;
+}
+
+// Sides one after the other, each beginning where another one ends.
+std::vector<CurvedContour> joined(const std::vector<Side>& sides, double tolerance) {
+  std::vector<CurvedContour> contours;
+  std::vector<bool> used(sides.size(), false);
+  std::map<std::string, int> counts;
+  for (std::size_t first = 0; first < sides.size(); ++first) {
+    if (used[first]) continue;
+    CurvedContour& contour = contours.emplace_back();
+    for (std::size_t i = first;;) {
+      used[i] = true;
+      contour.points.push_back(sides[i].edge.from);
+      contour.edges.push_back({sides[i].edge.bulge, {}});
+      contour.groups.emplace_back(sides[i].group);
+      contour.names.push_back(sides[i].group + std::to_string(++counts[sides[i].group]));
+      std::size_t next = sides.size();
+      for (std::size_t k = 0; k < sides.size(); ++k)
+        if ((k == first || !used[k]) && apart(sides[i].edge.to, sides[k].edge.from) <= tolerance &&
+            (next == sides.size() || apart(sides[i].edge.to, sides[k].edge.from) <
+                                         apart(sides[i].edge.to, sides[next].edge.from)))
+          next = k;
+      if (next == sides.size()) throw InvalidArgument("the stroke touches itself");
+      if (next == first) break;
+      i = next;
+    }
+  }
+  return contours;
+}
+
+}  // namespace
+
+std::vector<CircularEdge> polyline_edges(const std::vector<Point>& points, bool closed) {
+  std::vector<CircularEdge> edges;
+  const auto add = [&](const Point& from, const Point& to) {
+    if (from != to) edges.push_back({from, to, 0});
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]))
+      throw InvalidArgument("the coordinates of point " + std::to_string(i + 1) +
+                            " are not finite");
+    if (i > 0) add(points[i - 1], points[i]);
+  }
+  if (closed && !points.empty()) add(points.back(), points.front());
+  if (edges.empty()) throw InvalidArgument("a polyline needs two different points");
+  return edges;
+}
+
+std::vector<CurvedContour> stroke_outline(const std::vector<CircularEdge>& chain, bool closed,
+                                          double width) {
+  if (!(width > 0) || chain.empty())
+    throw InvalidArgument("a stroke needs a curve and a positive width");
+  const double radius = width / 2;
+  const SideList all(chain, closed, radius);
+  double size = radius;
+  for (const Side& side : all.sides())
+    size = std::max({size, std::fabs(side.edge.from[0]), std::fabs(side.edge.from[1])});
+  const double tolerance = 1e-10 * size;
+  const auto cuts = cuts_of(all.sides(), tolerance);
+  std::vector<Side> kept;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    add_parts(all.sides()[i], cuts[i], chain, radius, kept);
+  return joined(without_repetitions(kept, 10 * tolerance), 10 * tolerance);
+}
+
+}  // namespace rfm
