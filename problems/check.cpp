@@ -12,6 +12,7 @@
 #include "problems/result_folder.hpp"
 #include "problems/run_log.hpp"
 #include "problems/scalar_problem.hpp"
+#include "problems/worst_cells.hpp"
 #include "quadrature/edges.hpp"
 #include "quadrature/vertices.hpp"
 #include "solvers/assembly.hpp"
@@ -59,6 +60,19 @@ void log_corners(const ScalarProblem& problem, RunLog& log) {
              fmt::join(point.begin(), point.begin() + region.dimension(), ", "));
 }
 
+void log_accuracy(const DomainRule& rule, RunLog& log) {
+  const QuadratureReport& report = rule.report();
+  log.line(
+      "quadrature: orders differ by {:.1e}, on the boundary by {:.1e}; divergence theorem {:.1e}",
+      report.order_difference.volume, report.order_difference.boundary, report.divergence_defect);
+  if (report.uncertified.boxes > 0)
+    log.line("note: quadrature is a best effort in {} boxes of total measure {:.1e}",
+             report.uncertified.boxes, report.uncertified.measure);
+  constexpr int most_cells = 3;
+  for (const WorstCell& cell : worst_cells(rule, most_cells))
+    log.line("  {}", as_text(cell, rule.dimension()));
+}
+
 void write_picture(const std::string& file, const std::string& output, const ScalarProblem& problem,
                    const DomainRule& rule, RunLog& log) {
   const int width = problem.problem().outputs.picture.value_or(Picture{}).width;
@@ -85,6 +99,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
     log.line("{}: {:.12g} to {:.12g}", "xyz"[axis], box.low[axis], box.high[axis]);
   log.line("measure of the domain {:.12g}, of its boundary {:.12g}", rule.measure(),
            rule.boundary_measure());
+  log_accuracy(rule, log);
   log_corners(scalar, log);
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),

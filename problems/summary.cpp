@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "problems/distance_quality.hpp"
+#include "problems/worst_cells.hpp"
 #include "quadrature/edges.hpp"
 #include "quadrature/vertices.hpp"
 
@@ -137,6 +138,9 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
                       {"linear_residual", solution.linear.relative_residual},
                       {"linear_solver", method_name(solution.linear.method)},
                       {"dropped_splines", solution.linear.dropped}};
+  constexpr int most_cells = 5;
+  if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
+    summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
   summary["weight"] = problem.dirichlet().weight.formula;
   const RunReport::Seconds& seconds = report.seconds;
   summary["seconds"] = {{"read", seconds.read},
