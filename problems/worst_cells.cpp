@@ -48,7 +48,7 @@ nlohmann::ordered_json as_json(const std::vector<WorstCell>& cells, int dimensio
                       {"center", coordinates(cell.center)},
                       {"order_difference",
                        {{"domain", cell.report.order_difference.volume},
-                        {"boundary", cell.report.order_difference.boundary}}},
+                        {"boundary_total", cell.report.order_difference.boundary}}},
                       {"divergence_defect", cell.divergence_defect},
                       {"uncertified_measure", cell.report.uncertified.measure},
                       {"uncertified_boundary", cell.report.uncertified.boundary}});
