@@ -1,45 +1,13 @@
 #include "core/composition.hpp"
 
 #include <map>
-#include <unordered_map>
 
 #include "core/field_node.hpp"
 #include "core/graph_derivative.hpp"
+#include "core/graph_walk.hpp"
 
 namespace rfm {
 namespace {
-
-// Rebuilds a graph from its leaves upwards, with `leaf` for nodes without arguments and `inner` for
-// the others, which receives the rebuilt arguments. Nodes whose arguments stay are kept.
-template <class Leaf, class Inner>
-Field rebuild(const Field& root, const Leaf& leaf, const Inner& inner) {
-  std::unordered_map<const Field::Node*, Field> rebuilt;
-  std::vector<Field> pending{root};
-  while (!pending.empty()) {
-    const Field field = pending.back();
-    const Field::Node& node = field.node();
-    if (rebuilt.contains(&node)) {
-      pending.pop_back();
-      continue;
-    }
-    bool ready = true;
-    for (const Field& argument : node.arguments)
-      if (!rebuilt.contains(&argument.node())) {
-        pending.push_back(argument);
-        ready = false;
-      }
-    if (!ready) continue;
-    pending.pop_back();
-    if (node.arguments.empty()) {
-      rebuilt.emplace(&node, leaf(field));
-      continue;
-    }
-    std::vector<Field> arguments;
-    for (const Field& argument : node.arguments) arguments.push_back(rebuilt.at(&argument.node()));
-    rebuilt.emplace(&node, inner(field, std::move(arguments)));
-  }
-  return rebuilt.at(&root.node());
-}
 
 bool same_arguments(const Field& field, const std::vector<Field>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -51,7 +19,7 @@ bool same_arguments(const Field& field, const std::vector<Field>& arguments) {
 
 Field without_partials(const Field& f) {
   std::map<int, GraphDerivative> along;
-  return rebuild(
+  return walked<Field>(
       f, [](const Field& leaf) { return leaf; },
       [&](const Field& field, std::vector<Field> arguments) -> Field {
         const Field::Node& node = field.node();
@@ -66,7 +34,7 @@ Field compose(const Field& f, const std::vector<Field>& map) {
   const auto image = [&](int index) {
     return index < static_cast<int>(map.size()) ? map[index] : coordinate(index);
   };
-  return rebuild(
+  return walked<Field>(
       without_partials(f),
       [&](const Field& leaf) -> Field {
         const Field::Node& node = leaf.node();

@@ -168,7 +168,7 @@ class CurvedPolygonBuilder {
             primitives_[primitive].name += "_line";
           return curve_of_[number] = primitive;
         }
-      primitives_.push_back(*circle(*edge.center, edge.radius).primitives()[0]);
+      primitives_.push_back(disk_primitive(edge));
     } else {
       primitives_.push_back(conic_primitive(edge.whole));
     }
@@ -187,6 +187,20 @@ class CurvedPolygonBuilder {
     const double distance =
         std::hypot((*a.center)[0] - (*b.center)[0], (*a.center)[1] - (*b.center)[1]);
     return distance + std::fabs(a.radius - b.radius) <= 1e-13 * (a.radius + b.radius);
+  }
+
+  // (r² − |x − c|²) / 2r as a polynomial about the middle of the chord, so that nothing is lost
+  // where the centre is far away: κ/2 (L²/4 − |x − m|²) + v (1 − b²)/(1 + b²), v the height over
+  // the chord, for the bulge b (of half of an arc beyond a semicircle).
+  static Primitive disk_primitive(const CurvedEdge& edge) {
+    const Point &p = edge.whole.from, &q = edge.whole.to;
+    const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+    const double turn = edge.whole.turn, cosine = edge.whole.weight;
+    const Field x = x_coordinate() - (p[0] + q[0]) / 2, y = y_coordinate() - (p[1] + q[1]) / 2;
+    const Field height = (q[0] - p[0]) / length * y - (q[1] - p[1]) / length * x;
+    const Field level =
+        (length * length / 4 - x * x - y * y) * (0.5 / edge.radius) + turn * cosine * height;
+    return {"", level, level};
   }
 
   // Barycentric coordinates a, c with respect to the ends and b = 1 − a − c to the control point.

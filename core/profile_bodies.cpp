@@ -5,6 +5,7 @@
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
+#include "core/even_and_odd.hpp"
 #include "core/mapped_region.hpp"
 #include "core/quadric.hpp"
 
@@ -113,7 +114,23 @@ MappedPrimitive squared_side(const std::string& name, const EvenAndOdd& parts, c
   return ((outer | plus) & positive) | (plus & !positive & !outer);
 }
 
-MappedPrimitive revolved(const Primitive& primitive, const Meridian& at) {
+// E + ρO ≥ 0 for any E and O: as above where nothing is known of them.
+MappedPrimitive squared_side(const std::string& name, const EvenAndOddParts& parts,
+                             const Meridian& at) {
+  const Field level = at.square * pow(parts.odd, 2.0) - pow(parts.even, 2.0);
+  const Region outer = side(name, normalize(level, 3), level);
+  const Region plus = selector(name, parts.even), positive = selector(name, parts.odd);
+  return ((outer | plus) & positive) | (plus & !positive & !outer);
+}
+
+// Whether the closed profile keeps off the axis, proved by bounds.
+bool keeps_off_axis(const Region& profile) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const Box axis{2, {0, -infinite}, {0, infinite}};
+  return RegionEvaluator(profile).contains(axis) == Truth::no;
+}
+
+MappedPrimitive revolved(const Primitive& primitive, const Meridian& at, bool off_axis) {
   if (const std::optional<Quadric> q = as_quadric(primitive.level, 2)) {
     const EvenAndOdd parts(*q);
     const Field y = at.height - parts.origin;
@@ -121,6 +138,18 @@ MappedPrimitive revolved(const Primitive& primitive, const Meridian& at) {
     if (parts.slope == 0 && parts.shift == 0) return even_side(primitive, parts, even);
     return squared_side(primitive.name, parts, even, at);
   }
+  // Elsewhere in ρ² as far as the expression shows it to be even.
+  const auto parts = even_and_odd(primitive.level, at.square, at.height);
+  if (parts && parts->is_even()) {
+    const auto function = even_and_odd(primitive.function, at.square, at.height);
+    return Region(
+        Primitive{primitive.name,
+                  function && function->is_even() ? function->even : normalize(parts->even, 3),
+                  parts->even, primitive.selects_only},
+        3);
+  }
+  if (parts && !off_axis && !primitive.selects_only)
+    return squared_side(primitive.name, *parts, at);
   const std::vector<Field> map{sqrt(at.square), at.height};
   return Region(Primitive{primitive.name, compose(primitive.function, map),
                           compose(primitive.level, map), primitive.selects_only},
@@ -141,8 +170,9 @@ Region extrusion(const Region& profile, double from, double to) {
 Region revolution(const Region& profile, const Point& center, const Point& axis) {
   require_plane(profile);
   const Meridian at = meridian(center, axis);
-  return mapped_region(profile,
-                       [&](const Primitive& primitive) { return revolved(primitive, at); });
+  const bool off_axis = keeps_off_axis(profile);
+  return mapped_region(
+      profile, [&](const Primitive& primitive) { return revolved(primitive, at, off_axis); });
 }
 
 }  // namespace rfm

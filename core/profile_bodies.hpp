@@ -16,9 +16,11 @@ Region extrusion(const Region& profile, double from, double to);
 /// A side that is a polynomial of degree 2, P = E + xO with E and O even in x, has no kink on the
 /// axis: E + ρO ≥ 0 is written with ρ² alone, as the primitive ρ²O² − E² and the signs of E and O,
 /// which select only. Where O = 0 (P even in x) it is E; where E² − ρ²O² is not needed, as in a
-/// torus, signs are left out. Other functions take ρ itself: their gradient does not exist on the
-/// axis, where the body has points of it. Normalised to first order, by eq. (4.9) where squares
-/// were taken. Throws `InvalidArgument` unless the profile is plane and the axis has a direction.
+/// torus, signs are left out. The same holds for every function whose expression shows the two
+/// parts (`even_and_odd`): polynomials of any degree, functions of x². Others (sin x), and those
+/// with an odd part of a profile that keeps off the axis, take ρ itself, whose gradient does not
+/// exist on the axis. Normalised to first order, by eq. (4.9) where squares were taken. Throws
+/// `InvalidArgument` unless the profile is plane and the axis has a direction.
 Region revolution(const Region& profile, const Point& center = {0, 0, 0},
                   const Point& axis = {0, 0, 1});
 

@@ -59,7 +59,8 @@ std::vector<PieceClaim> settled(const PieceConditions& piece, int primitive,
 using Primitives = std::set<int>;
 
 // The conjuncts of the domain's expression whose primitives, as far as they bound the domain, are
-// all in `prescribed`, joined.
+// all in `prescribed` and in no other conjuncts, joined. (A circle of which the boundary has
+// several arcs stands in several conjuncts: one of them vanishes on some of the arcs only.)
 struct PrescribedConjuncts {
   BooleanExpression expression = BooleanExpression::constant(true);
   Primitives covered;
@@ -67,17 +68,32 @@ struct PrescribedConjuncts {
 
 PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Box& bounds,
                                          const Primitives& bounding, const Primitives& prescribed) {
-  PrescribedConjuncts result;
-  for (const BooleanExpression& conjunct :
-       conjuncts(without_redundancy(simplified(region.region().expression(), region, bounds)))) {
-    Primitives used;
+  const std::vector<BooleanExpression> all =
+      conjuncts(without_redundancy(simplified(region.region().expression(), region, bounds)));
+  std::vector<Primitives> used;
+  for (const BooleanExpression& conjunct : all) {
+    Primitives& primitives = used.emplace_back();
     for (const auto& node : conjunct.nodes())
       if (node.kind == BooleanExpression::Kind::variable && bounding.contains(node.first))
-        used.insert(node.first);
-    if (used.empty() || !std::ranges::includes(prescribed, used)) continue;
-    result.expression = result.expression & conjunct;
-    result.covered.insert(used.begin(), used.end());
+        primitives.insert(node.first);
   }
+  PrescribedConjuncts result{BooleanExpression::constant(true), prescribed};
+  const auto is_covered = [&](const Primitives& primitives) {
+    return std::ranges::includes(result.covered, primitives);
+  };
+  for (std::size_t before = result.covered.size() + 1; before != result.covered.size();) {
+    before = result.covered.size();
+    for (const Primitives& primitives : used)
+      if (!is_covered(primitives))
+        for (const int primitive : primitives) result.covered.erase(primitive);
+  }
+  Primitives found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (used[i].empty() || !is_covered(used[i])) continue;
+    result.expression = result.expression & all[i];
+    found.insert(used[i].begin(), used[i].end());
+  }
+  result.covered = found;
   return result;
 }
 

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
@@ -12,30 +10,6 @@
 
 namespace rfm {
 namespace {
-
-using Real = long double;
-
-Real from_segment(const Point& p, const Point& q, const Point& x) {
-  const Real dx = Real(q[0]) - p[0], dy = Real(q[1]) - p[1];
-  Real t = ((x[0] - Real(p[0])) * dx + (x[1] - Real(p[1])) * dy) / (dx * dx + dy * dy);
-  t = std::clamp(t, Real(0), Real(1));
-  return std::hypot(x[0] - Real(p[0]) - t * dx, x[1] - Real(p[1]) - t * dy);
-}
-
-// By the angle of x seen from the centre, in complex numbers of 64 bits.
-Real from_arc(const Point& p, const Point& q, double bulge, const Point& x) {
-  using Complex = std::complex<Real>;
-  const Real b = bulge;
-  const Complex from(p[0], p[1]), to(q[0], q[1]), at(x[0], x[1]);
-  const Complex center = (from + to) / Real(2) + (to - from) * Complex(0, (1 - b * b) / (4 * b));
-  const Real turn = 4 * std::atan(b), radius = std::abs(from - center);
-  Real angle = std::arg((at - center) / (from - center));  // from the start
-  const Real full = 2 * std::numbers::pi_v<Real>;
-  if (turn > 0 && angle < 0) angle += full;
-  if (turn < 0 && angle > 0) angle -= full;
-  if (std::fabs(angle) <= std::fabs(turn)) return std::fabs(std::abs(at - center) - radius);
-  return std::min(std::abs(at - from), std::abs(at - to));
-}
 
 // The least of many points, and the least around it by golden section.
 Real from_conic(const Point& p, const EdgeCurve::Conic& conic, const Point& q, const Point& x) {
@@ -62,15 +36,11 @@ Real from_conic(const Point& p, const EdgeCurve::Conic& conic, const Point& q, c
 double brute_force(const CurvedContour& contour, const Point& x) {
   Real least = INFINITY;
   const std::size_t count = contour.points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point &p = contour.points[i], &q = contour.points[(i + 1) % count];
-    if (p == q) continue;
-    const EdgeCurve& edge = contour.edges[i];
-    least = std::min(least, edge.conic        ? from_conic(p, *edge.conic, q, x)
-                            : edge.bulge != 0 ? from_arc(p, q, edge.bulge, x)
-                                              : from_segment(p, q, x));
-  }
-  return static_cast<double>(least);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto& conic = contour.edges[i].conic)
+      least = std::min(least,
+                       from_conic(contour.points[i], *conic, contour.points[(i + 1) % count], x));
+  return std::min(static_cast<double>(least), distance_from(contour, x));
 }
 
 // Values against brute force, signs against the winding number, and what is true of every

@@ -32,6 +32,8 @@ std::vector<Region> profiles() {
           ellipse({-0.1, 0.2}, {1.1, 0.5}, 2),
           level_set(1.0 + 0.3 * sin(3.0 * y) - x),
           level_set(pow(x - 1.0, 4.0) - y),
+          level_set(1.0 - pow(x - 0.2, 3.0) - x * y * y),
+          level_set(exp(-(x * x)) - pow(y, 2.0)),
           (circle({0.9, 0}, 0.8) & half_plane({0, 0}, {1, 1})) - box({0.5, -0.2}, {1, 0.2})};
 }
 
@@ -89,7 +91,10 @@ TEST(Revolution, SidesAreNormalisedAndHaveTheSlopesOfTheirProfile) {
 TEST(Revolution, HasNoKinkOnTheAxis) {
   // ρ² alone: along x through the axis functions are even, with second derivatives.
   for (const Region& profile : {circle({0, 0}, 1), ellipse({0, 0.2}, {2, 1}), circle({0.4, 0}, 1),
-                                half_plane({1, 0}, {-1, -1}), ellipse({0.3, 0}, {1, 0.5}, 0.5)}) {
+                                half_plane({1, 0}, {-1, -1}), ellipse({0.3, 0}, {1, 0.5}, 0.5),
+                                level_set(1.0 - pow(x, 4.0) - y * y),            // an oval
+                                level_set(1.0 - pow(x - 0.2, 3.0) - x * y * y),  // odd parts
+                                level_set(exp(-(x * x)) - y), level_set(0.8 - hypot(x, y))}) {
     const Region body = revolution(profile);
     for (const auto& primitive : body.primitives()) {
       const PointJet jet = evaluate(primitive->function, {0, 0, 0.1}, 3);
@@ -99,6 +104,20 @@ TEST(Revolution, HasNoKinkOnTheAxis) {
       const double ahead = evaluate(primitive->function, {1e-5, 0, 0.1}, 2).derivative(2, 0, 0);
       EXPECT_NEAR(ahead, jet.derivative(2, 0, 0), 1e-6 * (1 + std::fabs(ahead)));
     }
+  }
+}
+
+TEST(Revolution, OfAnOvalIsThePolynomialInSpace) {
+  // 1 − ρ⁴ − z²: derivatives of the polynomial to the fourth order, on the axis and off it.
+  const Region body = revolution(level_set(1.0 - pow(x, 4.0) - y * y));
+  const Field expected = 1.0 - pow(x * x + y * y, 2.0) - z_coordinate() * z_coordinate();
+  for (const Point& at : {Point{0, 0, 0.4}, Point{0, 0, 0}, Point{0.3, -0.5, 0.2}}) {
+    const PointJet jet = evaluate(body.primitives()[0]->level, at, 4);
+    const PointJet exact = evaluate(expected, at, 4);
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; i + j <= 4; ++j)
+        for (int k = 0; i + j + k <= 4; ++k)
+          EXPECT_NEAR(jet.derivative(i, j, k), exact.derivative(i, j, k), 1e-13);
   }
 }
 

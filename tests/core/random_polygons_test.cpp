@@ -1,4 +1,4 @@
-#include "tests/core/random_polygons.hpp"
+#include "tests/core/random_contours.hpp"
 
 #include <gmock/gmock.h>
 
@@ -17,20 +17,6 @@ double distance_from_boundary(const std::vector<Point>& polygon, const Point& x)
     if (polygon[i] != polygon[(i + 1) % polygon.size()])
       least = std::min(least, distance_from(polygon[i], polygon[(i + 1) % polygon.size()], x));
   return least;
-}
-
-// Whether a ray to the right meets the boundary an odd number of times, in long double: independent
-// of the library.
-bool is_inside(const std::vector<Point>& polygon, const Point& x) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    if ((p[1] > x[1]) == (q[1] > x[1])) continue;
-    const long double t =
-        (static_cast<long double>(x[1]) - p[1]) / (static_cast<long double>(q[1]) - p[1]);
-    if (p[0] + t * (static_cast<long double>(q[0]) - p[0]) > x[0]) inside = !inside;
-  }
-  return inside;
 }
 
 std::vector<double> values_at(const Field& field, const std::vector<Point>& points) {
