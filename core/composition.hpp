@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/field.hpp"
@@ -18,6 +19,10 @@ namespace rfm {
 /// its region NaN as ever. Nodes that the map does not touch are shared. Graphs may be arbitrarily
 /// deep.
 Field compose(const Field& f, const std::vector<Field>& map);
+
+/// `f` with another field in the place of every leaf: of each constant, coordinate, parameter and
+/// sampled field. A partial derivative within `f` stays one, of the field with other leaves.
+Field with_leaves(const Field& f, const std::function<Field(const Field&)>& leaf);
 
 /// The same function with every partial derivative written out as an expression.
 Field without_partials(const Field& f);

@@ -212,19 +212,26 @@ class Parser {
 
 Expression::Expression(std::string text) : text_(std::move(text)), nodes_(Parser(text_).parse()) {}
 
+// Each root lies just before the subtree of the next.
+std::vector<std::size_t> Expression::arguments_of(std::size_t i) const {
+  std::vector<std::size_t> roots(nodes_[i].argument_count);
+  std::size_t root = i;
+  for (std::size_t k = roots.size(); k-- > 0;) {
+    root = k + 1 == roots.size() ? i - 1 : nodes_[root].first - 1;
+    roots[k] = root;
+  }
+  return roots;
+}
+
 std::vector<Expression::Use> Expression::uses() const {
   std::vector<Use> uses;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
     if (node.kind != Node::Kind::name && node.kind != Node::Kind::call) continue;
     Use use{std::string(text_of(node)), node.offset, node.kind == Node::Kind::call, {}};
-    // Roots of the arguments: each lies just before the subtree of the next.
-    std::size_t root = i;
-    for (std::uint32_t k = 0; k < node.argument_count; ++k) {
-      root = k == 0 ? i - 1 : nodes_[root].first - 1;
+    for (const std::size_t root : arguments_of(i)) {
       const Node& argument = nodes_[root];
-      use.arguments.insert(use.arguments.begin(),
-                           text_.substr(argument.begin, argument.end - argument.begin));
+      use.arguments.push_back(text_.substr(argument.begin, argument.end - argument.begin));
     }
     uses.push_back(std::move(use));
   }

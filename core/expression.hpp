@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "core/parameters.hpp"
 
 namespace rfm {
 
@@ -57,6 +58,8 @@ class Expression {
   };
   /// Nodes in the order of evaluation: arguments before their users, the root last.
   std::span<const Node> nodes() const { return nodes_; }
+  /// The arguments of node `i`, in order, as the roots of their subtrees.
+  std::vector<std::size_t> arguments_of(std::size_t i) const;
   std::string_view text_of(const Node& node) const {
     return std::string_view(text_).substr(node.offset, node.length);
   }
@@ -98,22 +101,41 @@ struct ExpressionFunction {
 };
 
 /// What names mean. A value: copy it and define more. `pi` and the functions of the operation table
-/// (operations.hpp) always have a meaning, and `min`, `max` take two or more arguments.
+/// (operations.hpp) always have a meaning, and `min`, `max` take two or more arguments. A name that
+/// stands for a function f of the coordinates may be called: f(a, b) is f at the point (a, b), and
+/// f.dx(a, b) its derivative ∂f/∂x there (core/composition.hpp).
 class ExpressionScope {
  public:
   void define(const std::string& name, ExpressionValue value);
+  /// A name that stands for a number which formulas may be differentiated by: d(f, name). What a
+  /// formula comes to holds the number, or, in a scope that keeps its parameters, the parameter, so
+  /// that the number may change after the formula was compiled.
+  void define_parameter(const std::string& name, double value);
+  const Parameters& parameters() const { return parameters_; }
+  void keep_parameters(bool keep = true) { keeps_parameters_ = keep; }
   /// A name that stands for a formula, with whatever its own names mean where it is used: so it may
-  /// contain names that are defined later. It must not use itself, however indirectly.
+  /// contain names that are defined later. It must not use itself, however indirectly. Chains of
+  /// definitions may be arbitrarily long.
   void define(const std::string& name, Expression formula);
   void define_function(const std::string& name, ExpressionFunction function);
-  /// f(a, b) := formula; `parameters` hide other names inside it.
-  void define_function(const std::string& name, std::vector<std::string> parameters,
+  /// f(a, b) := formula; `arguments` hide other names inside it. Throws `InvalidArgument` if they
+  /// are not different names.
+  void define_function(const std::string& name, std::vector<std::string> arguments,
                        Expression formula);
+  /// Makes dx(f), dxy(f), dt(f), … functions, in so many coordinates of space and the time.
+  void define_partials(int dimension) { partials_ = dimension; }
   /// A name that is known but cannot be used here, and why: "is known on boundaries only".
   void refuse(const std::string& name, std::string reason);
 
   bool has_name(const std::string& name) const { return names_.contains(name); }
   bool has_function(const std::string& name) const;
+  /// A function that was defined by what it calls, or null.
+  const ExpressionFunction* find_function(const std::string& name) const {
+    const auto found = functions_.find(name);
+    return found == functions_.end() ? nullptr : &found->second;
+  }
+  /// Whether the name is that of a partial derivative here: dxt, but not dz in the plane.
+  bool is_partial(std::string_view name) const;
   /// All names, or all functions, that formulas may use; for suggestions.
   std::vector<std::string> names() const;
   std::vector<std::string> functions() const;
@@ -125,23 +147,31 @@ class ExpressionScope {
     std::shared_ptr<const Expression> formula;
   };
   struct UserFunction {
-    std::vector<std::string> parameters;
+    std::vector<std::string> arguments;
     std::shared_ptr<const Expression> formula;
   };
   std::map<std::string, Meaning> names_;
   std::map<std::string, std::string> refused_;
   std::map<std::string, ExpressionFunction> functions_;
   std::map<std::string, UserFunction> user_functions_;
+  Parameters parameters_;
+  bool keeps_parameters_ = false;
+  int partials_ = 0;
 };
 
 /// `x`, `y`, `z` as far as `dimension` goes, and `t`.
 ExpressionScope coordinate_scope(int dimension);
-/// Adds `grad(f)`, `laplacian(f)` and `dx(f)`, `dxy(f)`, … up to fourth order.
+/// Adds `grad(f)`, `laplacian(f)`, `dx(f)`, `dxy(f)`, `dt(f)`, … (up to 8 letters, which may be
+/// nested as far as tapes have orders), and d(f, p), the derivative with respect to a parameter or
+/// a coordinate.
 void define_derivatives(ExpressionScope& scope, int dimension);
+/// `dxy` → {0, 1}: the axes of a derivative as its name spells them, t being 3; empty if the name
+/// is not one.
+std::vector<int> derivative_axes(std::string_view name);
 
 /// The value of a formula. Throws `InputError` with a place in its text: a name without a meaning
-/// (with a suggestion), a wrong number of arguments, a vector where a number is needed, more than a
-/// million operations after definitions are inserted.
+/// (with a suggestion), a wrong number of arguments, a vector where a number is needed, definitions
+/// that use themselves, more than a million operations after definitions are inserted.
 ExpressionValue evaluate(const Expression& expression, const ExpressionScope& scope);
 /// The value of a formula that must not be a vector.
 Field to_field(const Expression& expression, const ExpressionScope& scope);
@@ -149,7 +179,8 @@ Field to_field(const Expression& expression, const ExpressionScope& scope);
 double to_number(const Expression& expression, const ExpressionScope& scope);
 
 /// Whether `name` has a meaning of its own in every formula: `pi` or a function of the operation
-/// table, `if` or an operator such as `dx`.
+/// table, `if` or an operator such as `dx`. `d` and derivatives along the time are not reserved: a
+/// function of that name hides them.
 bool is_reserved_in_expressions(std::string_view name);
 
 }  // namespace rfm

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/expression.hpp"
 #include "core/expression_tokens.hpp"
@@ -5,44 +7,7 @@
 namespace rfm {
 namespace {
 
-constexpr int highest_derivative = 4;
 constexpr std::string_view axes = "xyz";
-
-/// `dxy` → {0, 1}; empty if the name is not one of a derivative.
-std::vector<int> derivative_axes(std::string_view name) {
-  if (name.size() < 2 || name.size() > highest_derivative + 1 || name[0] != 'd') return {};
-  std::vector<int> along;
-  for (const char letter : name.substr(1)) {
-    const std::size_t axis = axes.find(letter);
-    if (axis == std::string_view::npos) return {};
-    along.push_back(static_cast<int>(axis));
-  }
-  return along;
-}
-
-Field scalar_argument(const ExpressionArgument& argument, const std::string& function) {
-  if (argument.value.is_vector)
-    throw InputError(function + " takes a function, not a vector: choose a component with [0]",
-                     argument.offset, argument.length);
-  return argument.value.components[0];
-}
-
-void define_partial(ExpressionScope& scope, const std::string& name) {
-  scope.define_function(
-      name, {1, 1, [name](std::span<const ExpressionArgument> arguments) -> ExpressionValue {
-               Field derivative = scalar_argument(arguments[0], name);
-               for (const int axis : derivative_axes(name)) derivative = partial(derivative, axis);
-               return derivative;
-             }});
-}
-
-void define_partials(ExpressionScope& scope, const std::string& prefix, int dimension) {
-  for (int axis = 0; axis < dimension; ++axis) {
-    const std::string name = prefix + axes[axis];
-    define_partial(scope, name);
-    if (name.size() <= highest_derivative) define_partials(scope, name, dimension);
-  }
-}
 
 }  // namespace
 
@@ -57,17 +22,32 @@ void ExpressionScope::define(const std::string& name, Expression formula) {
                           Meaning{0.0, std::make_shared<const Expression>(std::move(formula))});
 }
 
+void ExpressionScope::define_parameter(const std::string& name, double value) {
+  if (parameters_.contains(name))
+    parameters_.set(name, value);
+  else
+    parameters_.add(name, value);
+  define(name, parameters_[name]);
+}
+
 void ExpressionScope::define_function(const std::string& name, ExpressionFunction function) {
   refused_.erase(name);
   functions_.insert_or_assign(name, std::move(function));
 }
 
-void ExpressionScope::define_function(const std::string& name, std::vector<std::string> parameters,
+void ExpressionScope::define_function(const std::string& name, std::vector<std::string> arguments,
                                       Expression formula) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool again = std::find(arguments.begin(), arguments.begin() + static_cast<long>(i),
+                                 arguments[i]) != arguments.begin() + static_cast<long>(i);
+    if (again || !is_name(arguments[i]))
+      throw InvalidArgument("the arguments of " + name + " must be different names, got '" +
+                            arguments[i] + (again ? "' twice" : "'"));
+  }
   refused_.erase(name);
   user_functions_.insert_or_assign(
       name,
-      UserFunction{std::move(parameters), std::make_shared<const Expression>(std::move(formula))});
+      UserFunction{std::move(arguments), std::make_shared<const Expression>(std::move(formula))});
 }
 
 void ExpressionScope::refuse(const std::string& name, std::string reason) {
@@ -79,7 +59,14 @@ void ExpressionScope::refuse(const std::string& name, std::string reason) {
 
 bool ExpressionScope::has_function(const std::string& name) const {
   const OperationRow* row = find_operation(std::string_view(name));
-  return functions_.contains(name) || user_functions_.contains(name) || (row && is_name(name));
+  return functions_.contains(name) || user_functions_.contains(name) || (row && is_name(name)) ||
+         is_partial(name);
+}
+
+bool ExpressionScope::is_partial(std::string_view name) const {
+  const std::vector<int> along = derivative_axes(name);
+  return partials_ > 0 && !along.empty() &&
+         std::ranges::all_of(along, [&](int axis) { return axis < partials_ || axis == 3; });
 }
 
 std::vector<std::string> ExpressionScope::names() const {
@@ -92,6 +79,11 @@ std::vector<std::string> ExpressionScope::functions() const {
   std::vector<std::string> names;
   for (const OperationRow& row : operation_table)
     if (is_name(row.name)) names.emplace_back(row.name);
+  for (int first = 0; first < partials_; ++first) {
+    names.push_back(std::string("d") + axes[static_cast<std::size_t>(first)]);
+    for (int second = 0; second < partials_; ++second)
+      names.push_back(names.back().substr(0, 2) + axes[static_cast<std::size_t>(second)]);
+  }
   for (const auto& [name, function] : functions_) names.push_back(name);
   for (const auto& [name, function] : user_functions_) names.push_back(name);
   return names;
@@ -109,25 +101,6 @@ ExpressionScope coordinate_scope(int dimension) {
   }
   scope.define("t", time_coordinate());
   return scope;
-}
-
-void define_derivatives(ExpressionScope& scope, int dimension) {
-  scope.define_function(
-      "grad", {1, 1, [dimension](std::span<const ExpressionArgument> arguments) {
-                 return ExpressionValue(gradient(scalar_argument(arguments[0], "grad"), dimension));
-               }});
-  scope.define_function(
-      "laplacian",
-      {1, 1, [dimension](std::span<const ExpressionArgument> arguments) -> ExpressionValue {
-         return laplacian(scalar_argument(arguments[0], "laplacian"), dimension);
-       }});
-  define_partials(scope, "d", dimension);
-}
-
-bool is_reserved_in_expressions(std::string_view name) {
-  for (const std::string_view word : {"pi", "grad", "laplacian", "omega", "table", "test"})
-    if (name == word) return true;
-  return !derivative_axes(name).empty() || (find_operation(name) && is_name(name));
 }
 
 }  // namespace rfm

@@ -9,6 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/expression_tokens.hpp"
+#include "core/field_node.hpp"
+#include "core/further_coordinate.hpp"
 
 namespace rfm {
 namespace {
@@ -17,7 +19,7 @@ namespace {
 enum Level : int { comparison, sum, product, negation, power, primary };
 
 constexpr std::size_t deepest_text = 240;   // the parser allows 250
-constexpr std::size_t longest_partial = 4;  // dxxyy: so many axes may stand in one name
+constexpr std::size_t longest_partial = 8;  // dxxyy: so many axes may stand in one name
 
 using Names = std::unordered_map<const Field::Node*, std::string>;
 
@@ -128,9 +130,10 @@ class Writer {
         return;
       case Operation::coordinate:
       case Operation::parameter:
-      case Operation::source:
         text_ += leaf_name(node);
         return;
+      case Operation::source:
+        return write_source(node, depth);
       case Operation::partial:
         return write_partial(node, depth);
       case Operation::less:
@@ -173,38 +176,75 @@ class Writer {
       numbers_.push_back(", " + number_text(node.number));
       push(numbers_.back().c_str());
     }
+    push_arguments(node, depth);
+  }
+
+  void push_arguments(const Field::Node& node, std::size_t depth) {
     for (std::size_t i = node.arguments.size(); i-- > 0;) {
       push(node.arguments[i], comparison, depth);
       if (i > 0) push(", ");
     }
   }
 
+  // A sampled field by its name; at a mapped point it is wall(x + 1, y), its derivative there
+  // wall.dx(x + 1, y).
+  void write_source(const Field::Node& node, std::size_t depth) {
+    text_ += leaf_name(node);
+    if (node.arguments.empty()) return;
+    const MultiIndex alpha = source_derivative(node.index);
+    if (degree(alpha) > static_cast<int>(longest_partial))
+      throw InvalidArgument("a derivative of a sampled field at a mapped point is of order " +
+                            std::to_string(degree(alpha)) + ": names have at most " +
+                            std::to_string(longest_partial) + " letters");
+    std::string axes;
+    for (std::size_t axis = 0; axis < 3; ++axis) axes.append(alpha[axis], "xyz"[axis]);
+    if (!axes.empty()) text_ += ".d" + axes;
+    text_ += '(';
+    push(")");
+    push_arguments(node, depth);
+  }
+
   // ∂/∂x of ∂/∂y of f is dyx(f): inner derivatives first.
   void write_partial(const Field::Node& node, std::size_t depth) {
+    if (node.index > 3) {  // along a further coordinate: d(f, name)
+      const Field along = further_coordinate(node.index);
+      numbers_.push_back(", " + leaf_name(along.node()) + ")");
+      text_ += "d(";
+      push(numbers_.back().c_str());
+      return push(node.arguments[0], comparison, depth);
+    }
     std::string axes;
     const Field* inner = nullptr;
     for (const Field::Node* outer = &node; axes.size() < longest_partial;) {
-      if (outer->index > 2) throw InvalidArgument("only derivatives along x, y and z have a name");
-      axes.insert(axes.begin(), "xyz"[outer->index]);
+      axes.insert(axes.begin(), "xyzt"[outer->index]);
       inner = &outer->arguments[0];
       outer = &inner->node();
-      if (outer->operation != Operation::partial || names_.contains(outer)) break;
+      if (outer->operation != Operation::partial || outer->index > 3 || names_.contains(outer))
+        break;
     }
     text_ += 'd' + axes + '(';
     push(")");
     push(*inner, comparison, depth);
   }
 
+  // Leaves are named by what they are: each use may be a node of its own.
+  static bool is_same_leaf(const Field::Node& a, const Field::Node& b) {
+    if (a.operation != b.operation || !a.arguments.empty()) return false;
+    return a.operation == Operation::source ? a.source == b.source : a.index == b.index;
+  }
+
   std::string leaf_name(const Field::Node& node) const {
     if (node.operation == Operation::coordinate && node.index < 4) return {"xyzt"[node.index]};
-    if (node.operation == Operation::parameter &&
-        node.index < static_cast<int>(options_.parameters.size()))
-      return options_.parameters[static_cast<std::size_t>(node.index)];
-    if (node.operation == Operation::source && node.arguments.empty())
-      for (const auto& [name, field] : options_.names)
-        if (field.node().source == node.source && field.node().arguments.empty()) return name;
-    const std::string what = node.operation == Operation::source
-                                 ? "sampled field"
+    if (node.operation == Operation::parameter) {
+      if (node.index < static_cast<int>(options_.parameters.size()))
+        return options_.parameters[static_cast<std::size_t>(node.index)];
+      if (node.name) return *node.name;
+    }
+    for (const auto& [name, field] : options_.names)
+      if (is_same_leaf(field.node(), node)) return name;
+    const std::string what = node.operation == Operation::source ? "sampled field"
+                             : node.operation == Operation::coordinate
+                                 ? "coordinate " + std::to_string(node.index)
                                  : "parameter " + std::to_string(node.index);
     if (options_.abbreviated) return "[" + what + "]";
     throw InvalidArgument("a " + what + " has no name in the text");

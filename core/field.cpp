@@ -82,9 +82,13 @@ Field coordinate(int axis) {
   return make(Operation::coordinate, {}, 0, axis);
 }
 
-Field parameter(int index) {
+Field parameter(int index, const std::string& name) {
   if (index < 0) throw InvalidArgument("parameters are numbered from 0");
-  return make(Operation::parameter, {}, 0, index);
+  auto node = std::make_shared<Field::Node>();
+  node->operation = Operation::parameter;
+  node->index = index;
+  if (!name.empty()) node->name = std::make_shared<const std::string>(name);
+  return Field(std::shared_ptr<const Field::Node>(std::move(node)));
 }
 
 Field field(std::shared_ptr<const FieldSource> source) {
@@ -193,7 +197,7 @@ Field select(const Field& condition, const Field& yes, const Field& no) {
 }
 
 Field partial(const Field& f, int axis) {
-  if (axis < 0 || axis > 2) throw InvalidArgument("partial derivatives are along x, y or z");
+  if (axis < 0) throw InvalidArgument("coordinates are numbered from 0");
   const Field::Node& node = f.node();
   switch (node.operation) {
     case Operation::constant:
@@ -208,7 +212,7 @@ Field partial(const Field& f, int axis) {
 
 Field partial(const Field& f, const MultiIndex& alpha) {
   Field derivative = f;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < maximum_variables; ++axis)
     for (int k = 0; k < alpha[axis]; ++k) derivative = partial(derivative, axis);
   return derivative;
 }

@@ -60,6 +60,8 @@ struct Field::Node {
   /// Whether it has a value at all finite coordinates, as far as its operations tell (overflow
   /// apart): no root, logarithm, quotient by something that varies, or sampled field.
   bool defined_everywhere = true;
+  /// Of a parameter that has a name.
+  std::shared_ptr<const std::string> name;
   std::shared_ptr<const FieldSource> source;
   std::vector<Field> arguments;
 
@@ -75,8 +77,9 @@ inline Field x_coordinate() { return coordinate(0); }
 inline Field y_coordinate() { return coordinate(1); }
 inline Field z_coordinate() { return coordinate(2); }
 inline Field time_coordinate() { return coordinate(3); }
-/// Parameter number `index`: its value is given when a tape is evaluated.
-Field parameter(int index);
+/// Parameter number `index`: its value is given when a tape is evaluated, its name is how it is
+/// written. A set of parameters numbers them by itself: core/parameters.hpp.
+Field parameter(int index, const std::string& name = {});
 /// A function that is not an expression: a solved field, a sampled distance (field_source.hpp).
 Field field(std::shared_ptr<const FieldSource> source);
 /// `operation` applied to its arguments, and to a number if the table says that it has one. Throws
@@ -126,7 +129,8 @@ Field mod(const Field& a, const Field& b);
 /// `yes` where `condition` ≠ 0, else `no`; the other branch is not looked at, not even its NaN.
 Field select(const Field& condition, const Field& yes, const Field& no);
 
-/// ∂f/∂(coordinate `axis`), axis 0 … 2: exact, from jets of one order more.
+/// ∂f/∂(coordinate `axis`): exact, from jets of one order more, or, along the time and what else a
+/// tape takes no jets in, by derivation of the expression (core/graph_derivative.hpp).
 Field partial(const Field& f, int axis);
 /// ∂^α f.
 Field partial(const Field& f, const MultiIndex& alpha);

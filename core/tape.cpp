@@ -37,6 +37,13 @@ double* aligned(double* pointer) {
 
 }  // namespace
 
+std::string missing_parameter(const Tape::Program& program, int number, std::size_t given) {
+  const std::string& name = program.parameter_names[static_cast<std::size_t>(number)];
+  return "the field needs parameter number " + std::to_string(number) +
+         (name.empty() ? "" : " ('" + name + "')") + ", but only " + std::to_string(given) +
+         " are given";
+}
+
 Kernel find_kernel(Operation operation, int variables, int order) {
   return in_dimension(variables, order, [&]<int N>() -> Kernel {
     if constexpr (N == run_time)
@@ -80,18 +87,41 @@ const Tape::Program& Tape::with_steps() const {
 
 int Tape::step_count() const { return static_cast<int>(with_steps().steps.size()); }
 
+int Tape::checked(int root) const {
+  if (static_cast<std::size_t>(root) >= roots_.size())
+    throw InvalidArgument("the tape has " + std::to_string(roots_.size()) +
+                          " roots, numbered from 0; there is no root " + std::to_string(root));
+  return root;
+}
+
+const std::vector<std::string>& Tape::parameter_names() const { return program_->parameter_names; }
+
 Tape::Workspace::Workspace(const Tape& tape)
-    : storage_(static_cast<std::size_t>(tape.with_steps().varying_size) +
+    : program_(tape.program_),
+      storage_(static_cast<std::size_t>(tape.with_steps().varying_size) +
                tape.program_->constant_parts.size() + 8),
       data_(aligned(storage_.data())),
       root_offset_(tape.program_->root_offsets) {
+  for (const int order : tape.orders_) root_size_.push_back(jet_size(tape.dimension(), order));
   std::ranges::copy(tape.program_->constant_parts, data_ + tape.program_->varying_size);
 }
 
+void Tape::Workspace::refuse(int root, int coefficient) const {
+  const std::size_t count = root_offset_.size();
+  if (static_cast<std::size_t>(root) >= count)
+    throw InvalidArgument("the tape has " + std::to_string(count) +
+                          " roots, numbered from 0; there is no root " + std::to_string(root));
+  throw InvalidArgument(
+      "the jets of root " + std::to_string(root) + " have " + std::to_string(root_size_[root]) +
+      " coefficients, numbered from 0; there is no coefficient " + std::to_string(coefficient));
+}
+
 void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
-  if (points.count <= 0) return;
-  if (points.count > block_size)
-    throw InvalidArgument("a block has at most " + std::to_string(block_size) + " points, got " +
+  if (workspace.program_ != program_)
+    throw InvalidArgument("the workspace was made for another tape");
+  if (points.count == 0) return;
+  if (points.count < 0 || points.count > block_size)
+    throw InvalidArgument("a block has 0 to " + std::to_string(block_size) + " points, got " +
                           std::to_string(points.count));
   double* const memory = workspace.data_;
   // Lanes beyond the last point repeat it, so that kernels always work on whole vectors.
@@ -122,9 +152,7 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
     }
     const bool is_time = input.operation == Operation::coordinate;
     if (!is_time && input.index >= static_cast<int>(points.parameters.size()))
-      throw InvalidArgument("the field needs parameter number " + std::to_string(input.index) +
-                            ", but only " + std::to_string(points.parameters.size()) +
-                            " are given");
+      throw InvalidArgument(missing_parameter(*program_, input.index, points.parameters.size()));
     std::fill_n(memory + offset, batch_width,
                 is_time ? points.time : points.parameters[input.index]);
   }
@@ -146,12 +174,14 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
 }
 
 FunctionBounds Tape::bounds(const Box& box, int root, const OtherRanges& others) const {
+  checked(root);
   return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
     return SinglePoint<N>::bounds(*program_, root, box, others);
   });
 }
 
 Interval Tape::value_bounds(const Box& box, int root, const OtherRanges& others) const {
+  checked(root);
   return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
     return SinglePoint<N>::value_bounds(*program_, root, box, others);
   });
@@ -159,7 +189,7 @@ Interval Tape::value_bounds(const Box& box, int root, const OtherRanges& others)
 
 LineBounds Tape::bounds(const Line& line, const Interval& range, int root,
                         const OtherRanges& others) const {
-  if (orders_[root] < 1 || !variables_.are_leading())
+  if (orders_[checked(root)] < 1 || !variables_.are_leading())
     throw InvalidArgument(
         "bounds along a line need a tape of first order for the root, in coordinates of space");
   // Without derivatives in the expression (they need a higher order) the line is the only variable.
@@ -172,13 +202,13 @@ LineBounds Tape::bounds(const Line& line, const Interval& range, int root,
 
 double Tape::value(const Point& point, int root, const OtherValues& others) const {
   double value;
-  coefficients(point, root, others, {&value, 1});
+  coefficients(point, checked(root), others, {&value, 1});
   return value;
 }
 
 double Tape::value_and_gradient(const Point& point, Point& gradient, int root,
                                 const OtherValues& others) const {
-  if (orders_[root] < 1 || dimension() > static_cast<int>(gradient.size()))
+  if (orders_[checked(root)] < 1 || dimension() > static_cast<int>(gradient.size()))
     throw InvalidArgument(
         "the gradient of a root needs a tape of first order for it, in up to three variables");
   std::array<double, 4> jet{};
@@ -188,7 +218,7 @@ double Tape::value_and_gradient(const Point& point, Point& gradient, int root,
 }
 
 std::vector<double> Tape::jet(const Point& point, int root, const OtherValues& others) const {
-  std::vector<double> jet(jet_size(dimension(), orders_[root]));
+  std::vector<double> jet(jet_size(dimension(), orders_[checked(root)]));
   coefficients(point, root, others, jet);
   return jet;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/field.hpp"
@@ -38,7 +39,8 @@ class Tape {
   Tape& operator=(Tape&&) noexcept;
 
   class Workspace;
-  /// Jets of all roots at up to `block_size` points.
+  /// Jets of all roots at up to `block_size` points. Throws `InvalidArgument` for a workspace of
+  /// another tape, and where the points lack what the fields depend on.
   void evaluate(const PointBlock& points, Workspace& workspace) const;
   /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
   /// models with interval remainders; of a root of order 0 the gradient is not bounded. The
@@ -73,6 +75,8 @@ class Tape {
   int dimension() const { return variables_.count(); }
   const Variables& variables() const { return variables_; }
   int root_count() const { return static_cast<int>(roots_.size()); }
+  /// Names of the parameters that the fields depend on, by number; empty where one has none.
+  const std::vector<std::string>& parameter_names() const;
   int order(int root) const { return orders_[root]; }
   /// Operations of the expression, as single points and bounds evaluate it.
   int instruction_count() const;
@@ -85,32 +89,42 @@ class Tape {
  private:
   Tape(const Tape& general, const Box& box);
   const Program& with_steps() const;
+  /// `root` if there is such a root. Throws `InvalidArgument` otherwise.
+  int checked(int root) const;
   void coefficients(const Point& point, int root, const OtherValues& others,
                     std::span<double> first) const;
 
   std::vector<Field> roots_;
   std::vector<int> orders_;
   Variables variables_;
-  std::unique_ptr<const Program> program_;
+  std::shared_ptr<const Program> program_;
 };
 
 /// Whether two fields are the same expression, node by node (not whether they are equal functions).
 bool same_expression(const Field& a, const Field& b);
 
-/// Scratch memory and results of one thread. Valid for the tape it was made for.
+/// Scratch memory and results of one thread. Valid for the tape it was made for, wherever that is
+/// moved to; any other refuses it.
 class Tape::Workspace {
  public:
   explicit Workspace(const Tape& tape);
-  /// Coefficient `coefficient` of root `root` at the points of the last evaluation.
+  /// Coefficient `coefficient` of root `root` at the points of the last evaluation. Throws
+  /// `InvalidArgument` if the tape has no such root, or the root no such coefficient.
   const double* coefficient(int root, int coefficient = 0) const {
+    if (static_cast<std::size_t>(root) >= root_offset_.size() ||
+        static_cast<unsigned>(coefficient) >= static_cast<unsigned>(root_size_[root]))
+      refuse(root, coefficient);
     return data_ + root_offset_[root] + coefficient * block_size;
   }
 
  private:
   friend class Tape;
+  [[noreturn]] void refuse(int root, int coefficient) const;
+
+  std::shared_ptr<const Program> program_;  // that of the tape, as long as this exists
   std::vector<double> storage_;
   double* data_ = nullptr;  // aligned for SIMD
-  std::vector<int> root_offset_;
+  std::vector<int> root_offset_, root_size_;
 };
 
 }  // namespace rfm

@@ -42,7 +42,8 @@ class Compiler {
   }
 
   InstructionTable table;
-  bool has_held_partial = false;  ///< along a coordinate in which no jets are taken
+  std::vector<std::string> parameter_names;  ///< by number
+  bool has_held_partial = false;             ///< along a coordinate in which no jets are taken
 
  private:
   static std::uint64_t hash_of(const Field::Node* node) {
@@ -53,7 +54,19 @@ class Compiler {
     return place < 0 ? -1 : nodes_[place].second;
   }
 
+  void note_parameter(const Field::Node& node) {
+    const auto number = static_cast<std::size_t>(node.index);
+    if (number >= parameter_names.size()) parameter_names.resize(number + 1);
+    if (!node.name) return;
+    std::string& name = parameter_names[number];
+    if (!name.empty() && name != *node.name)
+      throw InvalidArgument("parameter number " + std::to_string(number) + " is called '" + name +
+                            "' and '" + *node.name + "': parameters of two sets meet");
+    name = *node.name;
+  }
+
   int intern(const Field::Node& node) {
+    if (node.operation == Operation::parameter) note_parameter(node);
     Instruction instruction;
     instruction.operation = node.operation;
     instruction.index = node.index;
@@ -138,6 +151,7 @@ std::unique_ptr<const Tape::Program> compile(const std::vector<Field>& roots,
     return compile(expressions, orders, variables);
   }
   program->instructions = std::move(compiler.table).take();
+  program->parameter_names = std::move(compiler.parameter_names);
   return finished(std::move(program), orders);
 }
 
@@ -150,6 +164,7 @@ std::unique_ptr<const Tape::Program> specialised(const Tape::Program& original,
   auto program = std::make_unique<Tape::Program>(original.variables);
   for (const int root : original.root_instructions)
     program->root_instructions.push_back(place[root]);
+  program->parameter_names = original.parameter_names;
   program->instructions = std::move(table).take();
   return finished(std::move(program), orders);
 }

@@ -250,9 +250,7 @@ struct Interpreter {
     }
     if (leaf.operation == Operation::parameter) {
       if (index >= others.parameters.size())
-        throw InvalidArgument("the field needs parameter number " + std::to_string(index) +
-                              ", but only " + std::to_string(others.parameters.size()) +
-                              " are given");
+        throw InvalidArgument(missing_parameter(program, leaf.index, others.parameters.size()));
       return Number(others.parameters[index]);
     }
     if (index > 3 && index - 4 >= others.further.size())

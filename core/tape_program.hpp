@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/jet_shape.hpp"
@@ -29,6 +30,7 @@ struct Tape::Program {
   Variables variables;
   std::vector<Instruction> instructions;
   std::vector<int> root_instructions;
+  std::vector<std::string> parameter_names;  ///< by number, empty where one has none
   int highest_order = 0;
 
   mutable std::once_flag has_steps;
@@ -77,6 +79,9 @@ Kernel find_high_kernel_in<3>(Operation operation, int order);
 Kernel find_dynamic_kernel(Operation operation);
 /// Chooses among all of these.
 Kernel find_kernel(Operation operation, int variables, int order);
+
+/// What is wrong where only the values of `given` parameters are known.
+std::string missing_parameter(const Tape::Program& program, int number, std::size_t given);
 
 /// Jets at single points and bounds over boxes, in N variables, or in any number at any order.
 template <int N>

@@ -24,6 +24,18 @@ struct Definition {
   }
 };
 
+// An argument may hide other names, but not what has a meaning in every formula.
+void refuse_argument(const std::vector<std::string>& arguments, const Token& token) {
+  const std::string& name = arguments.back();
+  const auto refuse = [&](const std::string& message) {
+    throw InputError(message, token.offset, token.length);
+  };
+  if (std::ranges::count(arguments, name) > 1) refuse("the argument '" + name + "' is given twice");
+  if (name == "pi") refuse("an argument cannot be called 'pi': it is a number in every formula");
+  if (is_reserved_in_expressions(name))
+    refuse("an argument cannot be called '" + name + "': that is a function");
+}
+
 /// `f(a, b)` → name and arguments. Throws `InputError`.
 void parse_head(const std::string& head, std::string& name, std::vector<std::string>& arguments) {
   const auto take_name = [](Tokenizer& tokens, const char* what) {
@@ -37,8 +49,11 @@ void parse_head(const std::string& head, std::string& name, std::vector<std::str
   name = take_name(tokens, "the name of a function");
   if (!tokens.take_if("("))
     throw InputError("a function is defined as " + name + "(a, b): formula", tokens.peek().offset);
-  do arguments.push_back(take_name(tokens, "the name of an argument"));
-  while (tokens.take_if(","));
+  do {
+    const Token next = tokens.peek();
+    arguments.push_back(take_name(tokens, "the name of an argument"));
+    refuse_argument(arguments, next);
+  } while (tokens.take_if(","));
   const bool is_closed = tokens.take_if(")");
   if (!is_closed || tokens.peek().kind != Token::Kind::end)
     throw InputError(std::string("expected ") + (is_closed ? "the end" : "',' or ')'") +
@@ -227,7 +242,7 @@ class DefinitionReader::Definitions {
     std::optional<double> value;
     if (is_sound(definition)) value = values_.number(definition.entry->value);
     values_.number_scope.define(definition.name, value.value_or(1.0));
-    values_.scope.define(definition.name, value.value_or(1.0));
+    values_.scope.define_parameter(definition.name, value.value_or(1.0));
     problem_.parameters.emplace(definition.name, value.value_or(1.0));
   }
 

@@ -1,5 +1,10 @@
 #include "problems/result_scope.hpp"
 
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+
 namespace rfm {
 namespace {
 
@@ -22,6 +27,42 @@ void refuse_vector(ExpressionScope& scope, const std::string& name, const std::s
     scope.refuse(component_name(name, axis), reason);
 }
 
+bool depends_on(const Field& f, const std::vector<Field>& parts) {
+  std::set<const Field::Node*> seen;
+  std::vector<const Field::Node*> pending{&f.node()};
+  while (!pending.empty()) {
+    const Field::Node* node = pending.back();
+    pending.pop_back();
+    if (!seen.insert(node).second) continue;
+    for (const Field& part : parts)
+      if (node == &part.node() && !part.is_constant()) return true;
+    for (const Field& argument : node->arguments) pending.push_back(&argument.node());
+  }
+  return false;
+}
+
+// d(f, k) as it was, but not of results with respect to a parameter.
+void refuse_sensitivities(ExpressionScope& scope, std::vector<Field> results) {
+  const ExpressionFunction* known = scope.find_function("d");
+  if (!known) return;
+  ExpressionFunction guarded = *known;
+  guarded.call = [call = known->call, results = std::move(results)](
+                     std::span<const ExpressionArgument> arguments) -> ExpressionValue {
+    const ExpressionArgument& f = arguments[0];
+    const bool by_parameter =
+        arguments[1].value.components[0].node().operation == Operation::parameter;
+    if (by_parameter && std::ranges::any_of(f.value.components, [&](const Field& component) {
+          return depends_on(component, results);
+        }))
+      throw InputError(
+          "the solution depends on '" + arguments[1].text +
+              "' in a way that a formula does not know: solve with two values and compare",
+          f.offset, f.length);
+    return call(arguments);
+  };
+  scope.define_function("d", std::move(guarded));
+}
+
 }  // namespace
 
 void define_normal(ExpressionScope& scope, const std::vector<Field>& normal) {
@@ -32,6 +73,9 @@ void define_results(ExpressionScope& scope, const ScalarResults& results) {
   scope.define("u", results.unknown);
   define_vector(scope, "gradient", gradient(results.unknown, results.dimension));
   define_vector(scope, "flux", results.flux);
+  std::vector<Field> all = results.flux;
+  all.push_back(results.unknown);
+  refuse_sensitivities(scope, std::move(all));
 }
 
 void define_boundary_results(ExpressionScope& scope, const ScalarResults& results,
@@ -62,8 +106,8 @@ void refuse_results(ExpressionScope& scope, int dimension, const std::string& re
 }
 
 ScalarResults stand_in_results(int dimension) {
-  return {x_coordinate(), std::vector<Field>(static_cast<std::size_t>(dimension), x_coordinate()),
-          dimension};
+  const Field any = sin(x_coordinate());
+  return {any, std::vector<Field>(static_cast<std::size_t>(dimension), any), dimension};
 }
 
 std::vector<Field> stand_in_normal(int dimension) {

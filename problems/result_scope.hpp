@@ -18,7 +18,8 @@ struct ScalarResults {
 /// Adds `n`, `n.x`, `n.y`, `n.z`: the outward unit normal of a boundary, one field per dimension.
 void define_normal(ExpressionScope& scope, const std::vector<Field>& normal);
 /// Adds `u`, `gradient`, `gradient.x`, …, `flux`, `flux.x`, …; derivatives of them are `grad(u)`,
-/// `dx(u)`, ….
+/// `dx(u)`, …. What depends on the solution has no derivative d(f, k) by a parameter here: the
+/// solution depends on k too, in a way that only solving with another k shows.
 void define_results(ExpressionScope& scope, const ScalarResults& results);
 /// Adds `flux.n`, the flux along the outward normal.
 void define_boundary_results(ExpressionScope& scope, const ScalarResults& results,

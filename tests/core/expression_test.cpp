@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/tape.hpp"
 
 using namespace rfm;
 
@@ -23,6 +24,9 @@ ExpressionScope test_scope() {
   scope.define("plate.left", 7.0);
   scope.define("square", Expression("x^2 + y^2"));
   scope.define_function("f", {"p", "q"}, Expression("p - 2*q"));
+  scope.define("wave", sin(x_coordinate() + y_coordinate()));
+  scope.define_function("g", {"h"}, Expression("h(x + 1, y)"));
+  scope.define_parameter("k", 4);
   scope.refuse("u", "is known after the solve only");
   return scope;
 }
@@ -91,12 +95,28 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"sqrt(if(x > 0, x, -1))", std::sqrt(at_x)}, Case{"t", 0.5},
                     Case{"f(x, y)", at_x - 2 * at_y}, Case{"f(f(1, 2), x)", -3 - 2 * at_x},
                     Case{"square", at_x* at_x + at_y* at_y}, Case{"plate.left + 1", 8}));
-INSTANTIATE_TEST_SUITE_P(Derivatives, ExpressionMeaning,
-                         testing::Values(Case{"dx(x^2*y)", 2 * at_x* at_y},
-                                         Case{"dxy(x^2*y)", 2 * at_x},
-                                         Case{"grad(x^2*y)[1]", at_x* at_x},
-                                         Case{"laplacian(x^4 + y^2)", 12 * at_x* at_x + 2},
-                                         Case{"dxxy(x^2*y)", 2}, Case{"dyyy(y^4)", 24 * at_y}));
+INSTANTIATE_TEST_SUITE_P(
+    Derivatives, ExpressionMeaning,
+    testing::Values(Case{"dx(x^2*y)", 2 * at_x* at_y}, Case{"dxy(x^2*y)", 2 * at_x},
+                    Case{"grad(x^2*y)[1]", at_x* at_x},
+                    Case{"laplacian(x^4 + y^2)", 12 * at_x* at_x + 2}, Case{"dxxy(x^2*y)", 2},
+                    Case{"dyyy(y^4)", 24 * at_y}, Case{"dxxxxxxxx(x^9)", 362880 * at_x},
+                    Case{"dxxxx(dxxxxx(x^10)) - 3628800*x", 0}, Case{"dt(x*t^2)", at_x},
+                    Case{"dxt(x*t^2)", 1}, Case{"d(x*t^2, t)", at_x}, Case{"d(x^2, x)", 2 * at_x},
+                    Case{"d(k*x^2 + k^3, k)", at_x* at_x + 48},
+                    Case{"d(d(sin(k*x), k), x)", std::cos(4 * at_x) - 4 * at_x* std::sin(4 * at_x)},
+                    Case{"d(x^k, x)", 4 * at_x* at_x* at_x}));
+INSTANTIATE_TEST_SUITE_P(AtOtherPoints, ExpressionMeaning,
+                         testing::Values(Case{"square(y, 2)", at_y* at_y + 4},
+                                         Case{"wave(x + y, x)", std::sin(2 * at_x + at_y)},
+                                         Case{"wave.dx(2*x, y) + wave.dxy(x, y)",
+                                              std::cos(2 * at_x + at_y) - std::sin(at_x + at_y)},
+                                         Case{"dx(wave(2*x, y))", 2 * std::cos(2 * at_x + at_y)},
+                                         Case{"g(wave)", std::sin(at_x + 1 + at_y)}));
+INSTANTIATE_TEST_SUITE_P(
+    Parameters, ExpressionMeaning,
+    testing::Values(Case{"k + 1", 5}, Case{"k^0.5", 2}, Case{"grad(x*y)[k - 3]", at_x},
+                    Case{"rp_and(0*x + 3, 4, k)", 7 - std::pow(81 + 256, 0.25)}));
 
 TEST_P(ExpressionMeaning, IsThatOfTheSameFormulaInCpp) {
   EXPECT_NEAR(value(GetParam().text), GetParam().expected,
@@ -151,6 +171,17 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"max(1)", "0+3: max takes 2 or more arguments, got 1"},
                     std::pair{"if(x, 1)", "0+2: if takes 3 arguments, got 2"},
                     std::pair{"f(x)", "0+1: f takes 2 arguments, got 1"},
+                    std::pair{"dz(x)", "0+2: unknown function 'dz' (did you mean 'dx'?)"},
+                    std::pair{"1 + dxxxxxxxxx(x)",
+                              "4+10: derivatives have at most 8 letters: nest two of them"},
+                    std::pair{"d(x, a)",
+                              "5+1: the second argument of d must be a parameter or a coordinate"},
+                    std::pair{"d(x, x + y)",
+                              "5+5: the second argument of d must be a parameter or a coordinate"},
+                    std::pair{"wave(x)", "0+4: wave takes 2 arguments, got 1"},
+                    std::pair{"wave.du(x, y)", "0+7: unknown function 'wave.du'"},
+                    std::pair{"k(2)", "0+1: 'k' is not a function (a product is written with '*')"},
+                    std::pair{"x(2)", "0+1: 'x' is not a function (a product is written with '*')"},
                     std::pair{"'abc'", "0+5: a quoted text is not a number"}));
 INSTANTIATE_TEST_SUITE_P(
     Vectors, ExpressionMistake,
@@ -223,13 +254,73 @@ TEST(Expression, DefinitionsThatMultiplyAreLimited) {
   EXPECT_THROW(to_field(Expression("f39(x)"), scope), InputError);
 }
 
-TEST(Expression, ADefinitionThatUsesItselfIsAMistake) {
+/// The mistake in a formula, as "offset: message".
+std::string mistake_in(const std::string& text, const ExpressionScope& scope) {
+  try {
+    to_field(Expression(text), scope);
+  } catch (const InputError& error) {
+    return std::to_string(error.offset) + ": " + error.what();
+  }
+  return "none";
+}
+
+TEST(Expression, ADefinitionThatUsesItselfIsAMistakeThatNamesTheCycle) {
   ExpressionScope scope;
   scope.define("p", Expression("q + 1"));
   scope.define("q", Expression("p + 1"));
   scope.define_function("f", {"s"}, Expression("f(s)"));
-  EXPECT_THROW(to_field(Expression("p"), scope), InputError);
-  EXPECT_THROW(to_field(Expression("f(1)"), scope), InputError);
+  scope.define_function("g", {"s"}, Expression("s*r"));
+  scope.define("r", Expression("g(2)"));
+  EXPECT_EQ(mistake_in("2 + p", scope), "4: a definition that uses itself: p -> q -> p");
+  EXPECT_EQ(mistake_in("f(1)", scope), "0: a definition that uses itself: f -> f");
+  EXPECT_EQ(mistake_in("1 + g(1)", scope), "4: a definition that uses itself: g -> r -> g");
+  // An argument hides the function that would be a cycle.
+  scope.define("p", Expression("h(1)"));
+  scope.define_function("h", {"p"}, Expression("p + 1"));
+  EXPECT_EQ(to_number(Expression("p"), scope), 2);
+}
+
+TEST(Expression, ChainsOfDefinitionsMayBeLong) {
+  constexpr int length = 100'000;
+  ExpressionScope scope = coordinate_scope(1);
+  scope.define("p0", Expression("x"));
+  for (int i = 1; i <= length; ++i)
+    scope.define("p" + std::to_string(i), Expression("p" + std::to_string(i - 1) + " + 1"));
+  const Field sum = to_field(Expression("p" + std::to_string(length)), scope);
+  EXPECT_EQ(value_at(sum, {0.5}), length + 0.5);
+  scope.define("p0", Expression("x + missing"));
+  EXPECT_EQ(mistake_in("1 + p" + std::to_string(length), scope),
+            "4: in 'p0': unknown name 'missing'");
+}
+
+TEST(Expression, FunctionsThatCallOneAnotherTooDeeplyAreAMistakeAndNotACrash) {
+  ExpressionScope scope = coordinate_scope(1);
+  scope.define_function("f0", {"p"}, Expression("p + 1"));
+  for (int i = 1; i < 1000; ++i)
+    scope.define_function("f" + std::to_string(i), {"p"},
+                          Expression("f" + std::to_string(i - 1) + "(p) + 1"));
+  EXPECT_EQ(to_number(Expression("f199(0)"), scope), 200);
+  EXPECT_THAT(mistake_in("2*f999(x)", scope),
+              testing::HasSubstr("2: functions call one another more than 200 deep here"));
+}
+
+TEST(Expression, ArgumentsOfAFunctionAreDifferentNames) {
+  ExpressionScope scope;
+  EXPECT_THROW(scope.define_function("h", {"a", "a"}, Expression("a")), InvalidArgument);
+  EXPECT_THROW(scope.define_function("h", {"a", "2b"}, Expression("a")), InvalidArgument);
+}
+
+TEST(Expression, AScopeThatKeepsItsParametersGivesFieldsInWhichTheyMayChange) {
+  ExpressionScope scope = coordinate_scope(1);
+  scope.define_parameter("k", 4);
+  const Expression formula("k*x");
+  EXPECT_EQ(to_field(formula, scope).node().arguments[0].constant(), 4);
+  scope.keep_parameters();
+  const Tape tape({to_field(formula, scope)}, {0}, 1);
+  Parameters parameters = scope.parameters();
+  EXPECT_EQ(tape.value({3}, 0, {0, parameters}), 12);
+  parameters.set("k", 5);
+  EXPECT_EQ(tape.value({3}, 0, {0, parameters}), 15);
 }
 
 TEST(Expression, ADefinitionMayUseNamesThatAreDefinedLater) {
@@ -297,8 +388,9 @@ TEST(ToNumber, RefusesWhatIsNotAFiniteNumber) {
 }
 
 TEST(ReservedNames, AreFunctionsDerivativesAndPi) {
-  for (const char* name : {"pi", "sin", "if", "max", "dx", "dxyz", "grad", "omega", "laplacian"})
+  for (const char* name :
+       {"pi", "sin", "if", "max", "dx", "dxyz", "dxyzxyzx", "grad", "omega", "laplacian"})
     EXPECT_TRUE(is_reserved_in_expressions(name)) << name;
-  for (const char* name : {"r", "d", "dt", "dxyzxy", "k1", "radius"})
+  for (const char* name : {"r", "d", "dt", "dxt", "dxyzxyzxyz", "k1", "radius"})
     EXPECT_FALSE(is_reserved_in_expressions(name)) << name;
 }

@@ -8,6 +8,9 @@
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/expression.hpp"
+#include "core/expression_evaluator.hpp"
+#include "core/field_node.hpp"
+#include "core/further_coordinate.hpp"
 #include "core/spline_field.hpp"
 #include "core/tape.hpp"
 
@@ -30,6 +33,12 @@ Field read(const DefinitionsText& text, ExpressionScope names = scope()) {
   return to_field(Expression(text.formula), names);
 }
 
+/// The same where the definitions stay formulas until they are used.
+Field read_later(const DefinitionsText& text, ExpressionScope names = scope()) {
+  for (const auto& [name, formula] : text.definitions) names.define(name, Expression(formula));
+  return to_field(Expression(text.formula), names);
+}
+
 class EveryFormula : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(
     ToText, EveryFormula,
@@ -39,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "min(x, max(y, z))", "if(x < y, x, -y)", "(x < y)*(y <= z)", "1 - (x == y)",
                     "(x < y) < z", "rp_and(x, y, 4)", "ralpha_or(x, y, 0.5)", "dx(sin(x*y))",
                     "dxyz(x^2*y^3*z)", "1e-300*x + 1.7976931348623157e+308", "0.1*t", "x*-2",
-                    "mod(x, 2*y)", "hypot(x, y)^3", "dxxyy(dz(exp(x*y*z)))"));
+                    "mod(x, 2*y)", "hypot(x, y)^3", "dzxxyy(exp(x*y*z))",
+                    "dxxxxxxxx(dy(exp(x*y*z)))", "dxt(sin(x*t))"));
 
 TEST_P(EveryFormula, IsWrittenAsItWasRead) { EXPECT_EQ(to_text(read(GetParam())), GetParam()); }
 
@@ -60,17 +70,40 @@ TEST(ToText, NumbersAreTheShortestThatAreReadBackAsTheSame) {
   EXPECT_TRUE(std::isnan(value_at(read(to_text(2 * Field(NAN))), {})));
 }
 
-// A random field of every operation of the table, derivatives and constants.
+const Grid plane({2, {-5, -5}, {5, 5}}, {4, 4, 1});
+const Field sampled = field(std::make_shared<SplineField>(plane, 3, std::vector<double>(49, 0.5)));
+const Field radius = parameter(0, "radius"), extra = further_coordinate(4);
+
+/// Names of what has none of its own; each use of a further coordinate is a node of its own.
+ExpressionTextOptions names() {
+  ExpressionTextOptions options;
+  options.names = {{"wall", sampled}, {"w", extra}};
+  return options;
+}
+
+ExpressionScope named_scope() {
+  ExpressionScope named = scope();
+  named.define("wall", sampled);
+  named.define("w", extra);
+  named.define("radius", radius);
+  return named;
+}
+
+// A random field of every operation of the table, derivatives along every coordinate, sampled
+// fields and derivatives of them at mapped points, and constants.
 Field random_field(std::mt19937& generator, int steps) {
-  std::vector<Field> made = {x, y, z_coordinate(), t};
+  std::vector<Field> made = {x, y, z_coordinate(), t, sampled, radius, further_coordinate(4)};
   std::uniform_real_distribution<double> uniform(-3, 3);
   for (int i = 0; i < steps; ++i) {
     const auto any = [&]() -> const Field& { return made[generator() % made.size()]; };
-    const auto kind = generator() % (operation_table.size() + 2);
+    const auto kind = generator() % (operation_table.size() + 3);
     if (kind == operation_table.size()) {
       made.emplace_back(uniform(generator));
     } else if (kind == operation_table.size() + 1) {
-      made.push_back(partial(any(), static_cast<int>(generator() % 3)));
+      made.push_back(partial(any(), static_cast<int>(generator() % 5)));
+    } else if (kind == operation_table.size() + 2) {
+      const auto order = static_cast<std::uint8_t>(generator() % 3);
+      made.push_back(field_at(sampled.node().source, {any(), any()}, {order, 1, 0, 0}));
     } else {
       const OperationRow& row = operation_table[kind];
       std::vector<Field> arguments;
@@ -78,23 +111,8 @@ Field random_field(std::mt19937& generator, int steps) {
       std::optional<double> number;
       if (row.numbers > 0) number = row.operation == Operation::real_power ? 2.5 : 2;
       if (row.name.starts_with("ralpha")) number = 0.3;
-      // The builders that simplify, as the parser uses them.
-      if (row.operation == Operation::add)
-        made.push_back(arguments[0] + arguments[1]);
-      else if (row.operation == Operation::subtract)
-        made.push_back(arguments[0] - arguments[1]);
-      else if (row.operation == Operation::multiply)
-        made.push_back(arguments[0] * arguments[1]);
-      else if (row.operation == Operation::divide)
-        made.push_back(arguments[0] / arguments[1]);
-      else if (row.operation == Operation::negate)
-        made.push_back(-arguments[0]);
-      else if (row.operation == Operation::power)
-        made.push_back(pow(arguments[0], arguments[1]));
-      else if (row.operation == Operation::select)
-        made.push_back(select(arguments[0], arguments[1], arguments[2]));
-      else
-        made.push_back(apply(row.operation, arguments, number));
+      made.push_back(number ? apply(row.operation, arguments, number)
+                            : apply_simplified(row.operation, arguments));
     }
   }
   return made.back();
@@ -125,10 +143,11 @@ TEST(ToText, RandomFieldsAreReadBackAsTheSameExpression) {
     const Field field = random_field(generator, 1 + trial % 12);
     if (derivative_order(field) > 3) continue;
     ++compared;
-    const std::string text = to_text(field);
-    EXPECT_TRUE(same_expression(read(text), field)) << text;
-    const DefinitionsText definitions = to_definitions(field);
-    EXPECT_TRUE(same_expression(read(definitions), field)) << text;
+    const std::string text = to_text(field, names());
+    EXPECT_TRUE(same_expression(to_field(Expression(text), named_scope()), field)) << text;
+    const DefinitionsText definitions = to_definitions(field, "part", names());
+    EXPECT_TRUE(same_expression(read(definitions, named_scope()), field)) << text;
+    EXPECT_TRUE(same_expression(read_later(definitions, named_scope()), field)) << text;
   }
   EXPECT_GT(compared, 1000);
 }
@@ -157,19 +176,42 @@ TEST(ToText, DeepGraphsCostNoStackAndAreCutIntoPieces) {
   EXPECT_TRUE(same_expression(read(to_text(chain)), chain));
 }
 
+TEST(ToText, ChainsOf100000NodesAreReadBackFromDefinitionsThatAreFormulas) {
+  Field nested = x;
+  for (int i = 0; i < 100'000; ++i) nested = i % 2 == 0 ? sin(nested) : nested / (2 + y);
+  const DefinitionsText text = to_definitions(nested);
+  EXPECT_GT(text.definitions.size(), 900u);
+  EXPECT_TRUE(same_expression(read_later(text), nested));
+}
+
+TEST(ToText, SampledFieldsAtMappedPointsAreWrittenAsCalls) {
+  const auto source = sampled.node().source;
+  const Field moved = field_at(source, {x + 1, 2 * y}), slope = field_at(source, {y, x}, {2, 1});
+  EXPECT_EQ(to_text(moved - slope, names()), "wall(x + 1, 2*y) - wall.dxxy(y, x)");
+  EXPECT_THAT([&] { to_text(moved); },
+              testing::ThrowsMessage<InvalidArgument>("a sampled field has no name in the text"));
+}
+
+TEST(ToText, FurtherCoordinatesAreNamedByWhatTheyAre) {
+  EXPECT_EQ(to_text(partial(x * further_coordinate(4), 4) + further_coordinate(4), names()),
+            "d(x*w, w) + w");
+  EXPECT_THAT([] { to_text(further_coordinate(6)); },
+              testing::ThrowsMessage<InvalidArgument>("a coordinate 6 has no name in the text"));
+}
+
 TEST(ToText, SourcesAndParametersAppearByName) {
   const Grid grid({1, {0}, {1}}, {2, 1, 1});
-  const Field sampled =
+  const Field wall =
       field(std::make_shared<SplineField>(grid, 1, std::vector<double>{0.0, 1.0, 4.0}));
-  const Field whole = 2 * sampled + parameter(1) * partial(sampled, 0);
+  const Field whole = 2 * wall + parameter(1) * partial(wall, 0);
   EXPECT_THROW(to_text(whole), InvalidArgument);
   ExpressionTextOptions options;
   options.parameters = {"r", "k"};
   EXPECT_THROW(to_text(whole, options), InvalidArgument);
-  options.names = {{"wall", sampled}};
+  options.names = {{"wall", wall}};
   EXPECT_EQ(to_text(whole, options), "2*wall + k*dx(wall)");
   ExpressionScope named = scope();
-  named.define("wall", sampled);
+  named.define("wall", wall);
   named.define("k", parameter(1));
   EXPECT_TRUE(same_expression(to_field(Expression(to_text(whole, options)), named), whole));
 }

@@ -220,6 +220,52 @@ TEST(Tape, ParametersAreReadFromTheBlock) {
               ThrowsMessage<InvalidArgument>(HasSubstr("parameter number 1")));
 }
 
+TEST(Tape, DerivativesAlongTheTimeAreThoseOfTheExpression) {
+  const Field t = time_coordinate(), f = sin(x * t) * exp(-t);
+  const Tape tape({partial(f, 3), partial(partial(f, 0), 3)}, {1, 0}, 2);
+  const double at = 0.7, time = 1.3, u = at * time, decay = std::exp(-time);
+  const double rate = (at * std::cos(u) - std::sin(u)) * decay;
+  const double mixed = (std::cos(u) - u * std::sin(u) - time * std::cos(u)) * decay;
+  EXPECT_NEAR(tape.value({at, 0}, 0, time), rate, 1e-15);
+  EXPECT_NEAR(tape.value({at, 0}, 1, time), mixed, 1e-15);
+  EXPECT_NEAR(tape.jet({at, 0}, 0, time)[1], mixed, 1e-15);
+  // The same where the time is a variable of the jets.
+  const Tape moving({partial(f, 3)}, {0}, {0, 3});
+  EXPECT_NEAR(moving.value({at, 0}, 0, time), rate, 1e-15);
+}
+
+TEST(Tape, ForeignWorkspacesAndRootsThatDoNotExistAreRefused) {
+  Tape tape({x, x * y}, {0, 1}, 2);
+  const Tape other({x + y}, {0}, 2);
+  Tape::Workspace workspace(tape);
+  const Points points = random_points(3);
+  EXPECT_THAT([&] { other.evaluate(points.block(), workspace); },
+              ThrowsMessage<InvalidArgument>("the workspace was made for another tape"));
+  const Tape moved = std::move(tape);  // still the same tape
+  moved.evaluate(points.block(), workspace);
+  EXPECT_EQ(workspace.coefficient(1)[2], points[2][0] * points[2][1]);
+  for (const int root : {-1, 2}) {
+    const auto refused = ThrowsMessage<InvalidArgument>(
+        HasSubstr("has 2 roots, numbered from 0; there is no root " + std::to_string(root)));
+    const Box box{2, {0, 0}, {1, 1}};
+    EXPECT_THAT([&] { moved.value({0, 0}, root); }, refused);
+    EXPECT_THAT([&] { moved.jet({0, 0}, root); }, refused);
+    EXPECT_THAT([&] { moved.bounds(box, root); }, refused);
+    EXPECT_THAT([&] { moved.value_bounds(box, root); }, refused);
+    EXPECT_THAT([&] { moved.bounds(Line{{0, 0}, {1, 0}}, {0, 1}, root); }, refused);
+    EXPECT_THAT([&] { workspace.coefficient(root); }, refused);
+    Point gradient;
+    EXPECT_THAT([&] { moved.value_and_gradient({0, 0}, gradient, root); }, refused);
+  }
+  EXPECT_THAT([&] { workspace.coefficient(0, 1); },
+              ThrowsMessage<InvalidArgument>(HasSubstr("there is no coefficient 1")));
+  EXPECT_NO_THROW(workspace.coefficient(1, 2));
+  PointBlock block = points.block();
+  block.count = -1;
+  EXPECT_THAT([&] { moved.evaluate(block, workspace); },
+              ThrowsMessage<InvalidArgument>(HasSubstr("got -1")));
+}
+
 TEST(Tape, CoordinatesBeyondTheDimensionAreZero) {
   EXPECT_EQ(Tape({x + 3 * y + z}, {0}, 1).value({2, 5, 7}), 2);
   EXPECT_EQ(Tape({partial(x * z, 2)}, {0}, 2).value({2, 5, 7}), 0);
