@@ -1,5 +1,6 @@
 #include "quadrature/cut_cell.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "quadrature/iterated_rule.hpp"
@@ -23,14 +24,32 @@ struct SurfaceNormal {
   double stretch = 0;
 };
 
+// Adds up what a rule says of the cell, in the coordinates of the cell.
+struct MomentSums {
+  const Box& cell;
+  CellMoments& moments;
+  bool with_first;
+
+  void add(double CellMeasure::*part, const Point& point, double weight) {
+    moments.measure.*part += weight;
+    if (!with_first) return;
+    for (int axis = 0; axis < cell.dimension; ++axis)
+      moments.first[axis].*part +=
+          weight * (2 * (point[axis] - cell.low[axis]) / cell.length(axis) - 1);
+  }
+};
+
 // Makes points and weights.
 struct PointSink {
   int dimension;
   CellRule& rule;
+  MomentSums sums;
   const Frame* frame = nullptr;
 
+  Point world(const Point& point) const { return frame ? frame->to_world(point) : point; }
+
   void volume_point(const Point& point, double weight) {
-    rule.volume.add(dimension, frame ? frame->to_world(point) : point, weight);
+    rule.volume.add(dimension, world(point), weight);
   }
 
   void line_part(const LineSegment& line, double from, double length, double weight,
@@ -40,7 +59,7 @@ struct PointSink {
       point[line.axis] = from + length * gauss.nodes[i];
       volume_point(point, weight * length * gauss.weights[i]);
     }
-    rule.measure.volume += weight * length;
+    sums.add(&CellMeasure::volume, world(line.at(from + 0.5 * length)), weight * length);
   }
 
   void surface_point(const ActiveSet& active, int surface, bool inside_is_positive,
@@ -51,26 +70,30 @@ struct PointSink {
     Point normal{};
     for (int axis = 0; axis < dimension; ++axis) normal[axis] = scale * at.gradient[axis];
     SurfacePoints& points = active.is_interface(surface) ? rule.interfaces : rule.boundary;
-    points.add(dimension, frame ? frame->to_world(point) : point,
-               frame ? frame->rotate(normal) : normal, weight * at.stretch,
+    points.add(dimension, world(point), frame ? frame->rotate(normal) : normal, weight * at.stretch,
                active.numbers[surface]);
-    if (!active.is_interface(surface)) rule.measure.boundary += weight * at.stretch;
+    if (!active.is_interface(surface))
+      sums.add(&CellMeasure::boundary, world(point), weight * at.stretch);
   }
 };
 
 // Only adds up what the rule of another order says of volume and boundary.
-struct MeasureSink {
+struct MomentSink {
   int dimension;
-  CellMeasure& measure;
+  MomentSums sums;
+  const Frame* frame = nullptr;
 
-  void line_part(const LineSegment&, double, double length, double weight, const GaussRule&) {
-    measure.volume += weight * length;
+  Point world(const Point& point) const { return frame ? frame->to_world(point) : point; }
+
+  void line_part(const LineSegment& line, double from, double length, double weight,
+                 const GaussRule&) {
+    sums.add(&CellMeasure::volume, world(line.at(from + 0.5 * length)), weight * length);
   }
   void surface_point(const ActiveSet& active, int surface, bool, const Point& point, int height,
                      double weight) {
     if (active.numbers[surface] == ActiveSet::no_piece || active.is_interface(surface)) return;
-    measure.boundary +=
-        weight * SurfaceNormal(*active.surfaces[surface], point, dimension, height).stretch;
+    const SurfaceNormal at(*active.surfaces[surface], point, dimension, height);
+    sums.add(&CellMeasure::boundary, world(point), weight * at.stretch);
   }
 };
 
@@ -80,10 +103,12 @@ class RuleBuilder : public PartVisitor {
       : cell_(cell),
         inside_gauss_(gauss_legendre(options.inside_points)),
         rule_(rule),
-        sink_{cell.dimension, rule},
+        sink_{cell.dimension,
+              rule,
+              {cell, rule.moments, options.compare_orders && options.points > 2}},
         points_(options.points, sink_),
         compare_(options.compare_orders),
-        other_sink_{cell.dimension, rule.other_measure},
+        other_sink_{cell.dimension, {cell, rule.other_moments, options.points > 2}},
         others_(options.points > 1 ? options.points - 1 : 2, other_sink_) {}
 
   void full(const Box& box, const Frame* frame) override {
@@ -91,9 +116,7 @@ class RuleBuilder : public PartVisitor {
     sink_.frame = frame;
     add_tensor_rule(box, inside_gauss_,
                     [&](const Point& point, double weight) { sink_.volume_point(point, weight); });
-    rule_.measure.volume += box.measure();
-    rule_.other_measure.volume += box.measure();
-    boundary_before_ = rule_.measure.boundary;
+    boundary_before_ = rule_.moments.measure.boundary;
   }
   void reduced(const ActiveSet& active, const LineSegment& line) override {
     begin_part(nullptr);
@@ -111,13 +134,13 @@ class RuleBuilder : public PartVisitor {
     if (compare_) others_.add_space(reduction);
   }
   void not_certified() override {
-    rule_.uncertified.boundary += rule_.measure.boundary - boundary_before_;
+    rule_.uncertified.boundary += rule_.moments.measure.boundary - boundary_before_;
   }
 
  private:
   void begin_part(const Frame* frame) {
-    sink_.frame = frame;
-    boundary_before_ = rule_.measure.boundary;
+    sink_.frame = other_sink_.frame = frame;
+    boundary_before_ = rule_.moments.measure.boundary;
   }
 
   const Box& cell_;
@@ -127,20 +150,29 @@ class RuleBuilder : public PartVisitor {
   double boundary_before_ = 0;  // of the part that is being made
   IteratedRule<PointSink> points_;
   bool compare_;
-  MeasureSink other_sink_;
-  IteratedRule<MeasureSink> others_;
+  MomentSink other_sink_;
+  IteratedRule<MomentSink> others_;
 };
+
+// The largest of measure and first moments.
+double difference(double CellMeasure::*part, const CellRule& rule) {
+  double largest = std::fabs(rule.moments.measure.*part - rule.other_moments.measure.*part);
+  for (int axis = 0; axis < 3; ++axis)
+    largest = std::max(
+        largest, std::fabs(rule.moments.first[axis].*part - rule.other_moments.first[axis].*part));
+  return largest;
+}
 
 }  // namespace
 
 void add_cell_rule(const Box& box, const ActiveSet& active, const CellRuleOptions& options,
                    Subdivision& subdivision, CellRule& rule) {
-  rule.measure = rule.other_measure = {};
+  rule.moments = rule.other_moments = {};
   RuleBuilder builder(box, options, rule);
   rule.uncertified += subdivision.run(box, active, builder, options.share);
   if (!options.compare_orders) return;
-  rule.order_difference.volume += std::fabs(rule.measure.volume - rule.other_measure.volume);
-  rule.order_difference.boundary += std::fabs(rule.measure.boundary - rule.other_measure.boundary);
+  rule.order_difference.volume += difference(&CellMeasure::volume, rule);
+  rule.order_difference.boundary += difference(&CellMeasure::boundary, rule);
 }
 
 }  // namespace rfm

@@ -25,16 +25,26 @@ struct CellRuleOptions {
   double share = 1;
 };
 
+/// Sums of the weights of a rule, and of weights times coordinates that run from −1 to 1 across the
+/// cell.
+struct CellMoments {
+  CellMeasure measure;
+  std::array<CellMeasure, 3> first;
+};
+
 /// What a cut cell contributes to a rule.
 struct CellRule {
   VolumePoints volume;
   SurfacePoints boundary;
   SurfacePoints interfaces;
   Uncertified uncertified;
-  /// Sums over boxes of how far the rules of two orders are apart.
+  /// Sums over boxes of how far the rules of two orders are apart: in the measure, or in one of the
+  /// first moments where that is more. Errors of two orders may be the same by chance where they
+  /// change their signs, but not those of all moments. (No moments with two points: one point
+  /// is not exact for them even in boxes.)
   CellMeasure order_difference;
   /// Of the last box, by both rules.
-  CellMeasure measure, other_measure;
+  CellMoments moments, other_moments;
   /// The whole box is inside and nothing splits it.
   bool is_full = false;
 };
