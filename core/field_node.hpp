@@ -16,7 +16,8 @@ Field with_arguments(const Field& f, std::vector<Field> arguments);
 /// (∂^α s)(place(x)): a sampled field, or a derivative of it with respect to its own coordinates,
 /// at mapped points. `place` has as many components as the region of the source has dimensions,
 /// else `InvalidArgument` is thrown. Bounds are known for |α| ≤ 1, from those of s over the range
-/// of the place; where s is not smooth in between is not reported to quadrature.
+/// of the place; where s is not smooth is known to quadrature under maps along the axes
+/// (core/source_breakpoints.hpp).
 Field field_at(std::shared_ptr<const FieldSource> source, std::vector<Field> place,
                const MultiIndex& alpha = {});
 

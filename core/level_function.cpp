@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/point_program.hpp"
+#include "core/source_breakpoints.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -14,40 +14,9 @@ Interval within(const Interval& range, const Interval& bounds) {
   return {std::max(range.low, bounds.low), std::min(range.high, bounds.high)};
 }
 
-// The nodes of an expression that are sources.
-std::vector<const Field::Node*> collect_sources(const Field& field) {
-  std::vector<const Field::Node*> sources;
-  std::set<const Field::Node*> seen;
-  std::vector<const Field::Node*> pending{&field.node()};
-  while (!pending.empty()) {
-    const Field::Node* node = pending.back();
-    pending.pop_back();
-    if (!seen.insert(node).second) continue;
-    for (const Field& argument : node->arguments) pending.push_back(&argument.node());
-    if (node->source) sources.push_back(node);
-  }
-  return sources;
-}
-
-std::array<std::vector<double>, 3> collect_breakpoints(const Field& field, int dimension) {
-  std::array<std::vector<double>, 3> breakpoints;
-  for (const Field::Node* node : collect_sources(field)) {
-    if (!node->arguments.empty()) continue;  // not where the source is
-    for (int axis = 0; axis < dimension; ++axis) {
-      const std::vector<double> more = node->source->breakpoints(axis);
-      breakpoints[axis].insert(breakpoints[axis].end(), more.begin(), more.end());
-    }
-  }
-  for (auto& list : breakpoints) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return breakpoints;
-}
-
 // Bounds over all of space by plain intervals. Sources know themselves over finite boxes only.
 Interval range_everywhere(const Field& field, int dimension) {
-  if (!collect_sources(field).empty()) return Interval::entire();
+  if (!sources_of(field).empty()) return Interval::entire();
   Box everywhere;
   everywhere.dimension = dimension;
   everywhere.low.fill(-INFINITY);
@@ -89,7 +58,7 @@ Quadric without_residues(Quadric quadric) {
 LevelFunction::LevelFunction(const Field& field, int dimension)
     : dimension_(dimension),
       range_(range_everywhere(field, dimension)),
-      breakpoints_(collect_breakpoints(field, dimension)) {
+      breakpoints_(source_breakpoints(field, dimension)) {
   if (const auto quadric = as_quadric(field, dimension)) {
     quadric_.emplace(without_residues(*quadric));
     return;

@@ -48,25 +48,31 @@ struct Smoothness {
   std::string operator()(const UserSystem& r) const { return r.smoothness; }
 };
 
-/// The name of an operation up to `_and` and `_or`, and its number.
+/// The name of an operation up to `_and` and `_or`, and what follows its arguments.
 struct OperationName {
   std::string name;
-  std::string number;
+  std::string parameters;
 };
 
 struct Naming {
   OperationName operator()(const RAlpha& r) const {
-    return r.alpha == 0 ? OperationName{"r0", ""} : OperationName{"ralpha", number_text(r.alpha)};
+    return r.alpha == 0 ? OperationName{"r0", ""}
+                        : OperationName{"ralpha", ", " + number_text(r.alpha)};
   }
   OperationName operator()(const R1&) const { return {}; }
   OperationName operator()(const Rp& r) const {
-    return r.p == 2 ? OperationName{"r0", ""} : OperationName{"rp", std::to_string(r.p)};
+    return r.p == 2 ? OperationName{"r0", ""} : OperationName{"rp", ", " + std::to_string(r.p)};
   }
-  OperationName operator()(const RAlphaField&) const { return {"ralpha_field", ""}; }
+  OperationName operator()(const RAlphaField& r) const {
+    return {"ralpha_field",
+            ", " + to_text(r.alpha, {.parameters = {}, .names = {}, .abbreviated = true})};
+  }
   OperationName operator()(const RAlphaM& r) const {
-    return {r.alpha == 0 ? "r0m" : "ralpha" + number_text(r.alpha) + "m", std::to_string(r.m)};
+    const std::string order = ", " + std::to_string(r.m);
+    return r.alpha == 0 ? OperationName{"r0m", order}
+                        : OperationName{"ralpham", ", " + number_text(r.alpha) + order};
   }
-  OperationName operator()(const RCm& r) const { return {"rcm", std::to_string(r.m)}; }
+  OperationName operator()(const RCm& r) const { return {"rcm", ", " + std::to_string(r.m)}; }
   OperationName operator()(const UserSystem& r) const { return {r.name, ""}; }
 };
 
@@ -90,8 +96,8 @@ std::string operation_text(const RSystem& system, bool conjunction, const std::s
                            const std::string& b) {
   if (is_r1(system)) return (conjunction ? "min(" : "max(") + a + ", " + b + ")";
   const OperationName operation = std::visit(Naming{}, system);
-  return operation.name + (conjunction ? "_and(" : "_or(") + a + ", " + b +
-         (operation.number.empty() ? "" : ", " + operation.number) + ")";
+  return operation.name + (conjunction ? "_and(" : "_or(") + a + ", " + b + operation.parameters +
+         ")";
 }
 
 }  // namespace rfm

@@ -76,7 +76,9 @@ int normalization_order(const RSystem& system);
 /// How smooth conjunctions of smooth functions are, in words.
 std::string smoothness_text(const RSystem& system);
 /// Conjunction (or disjunction) of two formulas as a formula: `r0_and(a, b)`, `min(a, b)`. Rα, R₁
-/// and Rp are operations of formulas (docs/fields.md); the others are names only.
+/// and Rp are operations of formulas (docs/fields.md), the others functions that
+/// `define_r_functions` (r_system_functions.hpp) defines, except those of a `UserSystem`, which are
+/// names only.
 std::string operation_text(const RSystem& system, bool conjunction, const std::string& a,
                            const std::string& b);
 

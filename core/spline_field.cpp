@@ -12,7 +12,7 @@
 namespace rfm {
 namespace {
 
-constexpr int highest_order = 8;            // of jets, along each axis and in total
+constexpr int highest_order = maximum_spline_degree;  // along an axis: above, derivatives are zero
 constexpr double outside_tolerance = 1e-9;  // of a side: rounding of a point on the boundary
 
 // Place in the jet of each derivative (along z, y, x), with the factor that turns a derivative with
@@ -24,14 +24,12 @@ struct JetEntry {
 };
 
 struct JetPlan {
-  std::array<JetEntry, jet_size(3, highest_order)> entries;
+  std::array<JetEntry, jet_size(3, maximum_order)> entries;
   int count = 0;
 };
 
-JetPlan plan_jet(const Grid& grid, int variables, int order) {
+JetPlan plan_jet(const Grid& grid, int variables, int order, const std::array<int, 3>& highest) {
   JetPlan plan;
-  std::array<int, 3> highest{};
-  for (int axis = 0; axis < std::min(grid.dimension(), variables); ++axis) highest[axis] = order;
   for (int k = 0; k <= highest[2]; ++k)
     for (int j = 0; j <= std::min(highest[1], order - k); ++j)
       for (int i = 0; i <= std::min(highest[0], order - k - j); ++i) {
@@ -72,13 +70,14 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
                                   int variables, int order, double* jets, int stride) const {
   constexpr int width = degree + 1;
   const int dimension = grid_.dimension();
-  const JetPlan plan = plan_jet(grid_, variables, order);
-  if (variables > dimension)
+  std::array<int, 3> highest{};  // order of derivatives along each axis
+  for (int axis = 0; axis < std::min(dimension, variables); ++axis)
+    highest[axis] = std::min(order, degree);
+  const JetPlan plan = plan_jet(grid_, variables, order, highest);
+  if (variables > dimension || order > degree)
     for (int c = 0; c < jet_size(variables, order); ++c)
       std::fill_n(jets + std::ptrdiff_t(c) * stride, count, 0.0);
 
-  std::array<int, 3> highest{};  // order of derivatives along each axis
-  for (int axis = 0; axis < std::min(dimension, variables); ++axis) highest[axis] = order;
   const int lines_y = dimension > 1 ? width : 1, lines_z = dimension > 2 ? width : 1;
 
   double basis[3][(highest_order + 1) * width];
@@ -136,8 +135,9 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
 
 void SplineField::evaluate(const std::array<const double*, 3>& coordinates, int count,
                            int variables, int order, double* jets, int stride) const {
-  if (order < 0 || order > highest_order || variables < 1)
-    throw InvalidArgument("jets of a spline have orders 0 to 8, got " + std::to_string(order));
+  if (order < 0 || order > maximum_order || variables < 1)
+    throw InvalidArgument("jets have orders 0 to " + std::to_string(maximum_order) + ", got " +
+                          std::to_string(order));
   const auto run = [&]<int degree>() {
     evaluate_degree<degree>(coordinates, count, variables, order, jets, stride);
   };

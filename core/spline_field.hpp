@@ -27,7 +27,8 @@ class SplineField final : public FieldSource {
   int degree() const { return degree_; }
   const std::vector<double>& coefficients() const { return coefficients_; }
 
-  /// Jets in `variables` ≥ 1 variables, order ≤ 8; derivatives along axes beyond the grid's
+  /// Jets in `variables` ≥ 1 variables of any order that jets have; derivatives above the degree
+  /// along an axis are zero, and derivatives along axes beyond the grid's
   /// dimension are zero. Coordinates are needed for the grid's own axes only.
   void evaluate(const std::array<const double*, 3>& coordinates, int count, int variables,
                 int order, double* jets, int stride) const override;

@@ -218,8 +218,13 @@ class DefinitionReader::Definitions {
     };
     if (definition.arguments.empty()) return check(permissive);
     ExpressionScope inside = permissive;
-    for (const std::string& argument : definition.arguments)
-      inside.define(argument, x_coordinate());
+    // An argument that is called is a function, sin for one; others may be coordinates.
+    for (const std::string& argument : definition.arguments) {
+      const bool is_called = std::ranges::any_of(definition.formula->uses(), [&](const auto& use) {
+        return use.is_call && use.name.substr(0, use.name.find('.')) == argument;
+      });
+      inside.define(argument, is_called ? sin(x_coordinate()) : x_coordinate());
+    }
     return check(inside);
   }
 

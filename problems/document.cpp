@@ -10,6 +10,8 @@
 #include <optional>
 #include <sstream>
 
+#include "problems/scalar_places.hpp"
+
 namespace rfm {
 namespace {
 
@@ -252,10 +254,23 @@ DocumentNode* DocumentNode::find(std::string_view key) {
 Place DocumentNode::place_within(std::size_t offset, std::size_t length) const {
   const std::string_view line = place.source->line(place.line);
   const auto begin = static_cast<std::size_t>(place.column - 1) + (quoted ? 1 : 0);
-  if (begin > line.size() || !line.substr(begin).starts_with(text)) return place;
   Place within = place;
-  within.column = static_cast<int>(begin + offset) + 1;
-  within.length = static_cast<int>(std::max<std::size_t>(length, 1));
+  if (begin <= line.size() && line.substr(begin).starts_with(text)) {
+    within.column = static_cast<int>(begin + offset) + 1;
+    within.length = static_cast<int>(std::max<std::size_t>(length, 1));
+    return within;
+  }
+  const auto places = byte_places(*this);
+  if (!places || !place.source->is_file) return place;
+  // Beyond the text, or in the space at its end, is just after it.
+  const std::size_t first = std::min((*places)[std::min(offset, text.size())], places->back());
+  const std::size_t last =
+      (*places)[std::min(offset + std::max<std::size_t>(length, 1) - 1, text.size())];
+  within.line = place.source->line_of(first);
+  const std::size_t line_begin = place.source->line_begin(within.line);
+  within.column = static_cast<int>(first - line_begin) + 1;
+  const std::size_t line_end = line_begin + place.source->line(within.line).size();
+  within.length = static_cast<int>(std::max(std::min(last + 1, line_end), first + 1) - first);
   return within;
 }
 

@@ -30,8 +30,9 @@ struct DocumentNode {
   /// The value of the first entry with this key, or null.
   const DocumentNode* find(std::string_view key) const;
   DocumentNode* find(std::string_view key);
-  /// The place of `length` bytes from `offset` of a scalar's text: exact where the text stands in
-  /// the file as it is, else the place of the scalar.
+  /// The place of `length` bytes from `offset` of a scalar's text, as far as its first line goes:
+  /// exact in texts of one and of several lines, with quotes and escapes. Of a text that no file
+  /// holds, the place of the scalar.
   Place place_within(std::size_t offset, std::size_t length) const;
 };
 

@@ -57,6 +57,15 @@ std::string_view SourceText::line(int number) const {
   return std::string_view(text).substr(begin, end - begin);
 }
 
+std::size_t SourceText::line_begin(int number) const {
+  const auto index = static_cast<std::size_t>(number - 1);
+  return number < 1 || index >= line_begins_.size() ? text.size() : line_begins_[index];
+}
+
+int SourceText::line_of(std::size_t offset) const {
+  return static_cast<int>(std::ranges::upper_bound(line_begins_, offset) - line_begins_.begin());
+}
+
 std::string Place::text() const {
   if (!source->is_file) return source->name;
   const std::string_view before =

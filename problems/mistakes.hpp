@@ -18,6 +18,10 @@ struct SourceText {
 
   /// Line `number` (from 1) without its end, or nothing beyond the last.
   std::string_view line(int number) const;
+  /// Where line `number` begins, as an offset into the text.
+  std::size_t line_begin(int number) const;
+  /// The number of the line that holds an offset.
+  int line_of(std::size_t offset) const;
   /// Line beginnings, found once: `index_lines` must be called after `text` is set.
   void index_lines();
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/r_system_functions.hpp"
 #include "problems/boundary_coverage.hpp"
 #include "problems/boundary_reader.hpp"
 #include "problems/combine_reader.hpp"
@@ -21,6 +22,7 @@ void define_common_names(ValueReader& values, const std::string& folder) {
   const int dimension = values.dimension;
   values.scope = coordinate_scope(dimension);
   define_derivatives(values.scope, dimension);
+  define_r_functions(values.scope);
   const ExpressionFunction table = table_function(folder);
   values.scope.define_function("table", table);
   values.number_scope.define_function("table", table);

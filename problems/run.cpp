@@ -218,7 +218,8 @@ int run_problem(const std::string& file, const RunOptions& options) {
     folder.write(name + ".rule.vtp",
                  [&](const std::string& path) { write_vtp(rule_points(solution.rule), path); });
   if (options.picture || problem.outputs.picture)
-    write_pictures(folder, name, scalar, solution, report.convergence, log);
+    report.notes = write_pictures(folder, name, scalar, solution, report.convergence);
+  for (const std::string& note : report.notes) log.line("note: {}", note);
   if (const std::string csv = probes_csv(report.probes); !csv.empty())
     folder.write_text("probes.csv", csv);
   folder.write_text("input.resolved.yaml", document_text(problem.document));

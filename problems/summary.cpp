@@ -141,6 +141,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   constexpr int most_cells = 5;
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
+  for (const std::string& note : report.notes) summary["notes"].push_back(note);
   summary["weight"] = problem.dirichlet().weight.formula;
   const RunReport::Seconds& seconds = report.seconds;
   summary["seconds"] = {{"read", seconds.read},

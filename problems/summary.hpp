@@ -22,6 +22,7 @@ struct RunReport {
   };
   std::vector<OrderCheck> orders;
   std::vector<ExpectationResult> expectations;
+  std::vector<std::string> notes;  ///< on the pictures
   struct Seconds {
     double read = 0, prepare = 0, quadrature = 0, assembly = 0, solve = 0, verify = 0, output = 0,
            total = 0;

@@ -8,6 +8,7 @@
 #include "core/tape.hpp"
 #include "problems/output/picture_layout.hpp"
 #include "problems/output/plot.hpp"
+#include "problems/pictures/missing_values.hpp"
 
 namespace rfm {
 namespace {
@@ -58,12 +59,12 @@ Image draw_line(const ScalarProblem& problem, const ShownField& shown, const Pic
   plot.width = picture.width;
   PlotCurve curve{{}, distinct_colour(0), 2, false, ""};
   ValueRange data{INFINITY, -INFINITY};
-  int missing = 0;
+  MissingValues missing;
   for (const Interval& interval : intervals_of(problem.region(), problem.bounds())) {
     curve.parts.emplace_back();
     for (const PlotPoint& point : sampled(tape, interval, 2 * picture.width)) {
       if (!std::isfinite(point.y)) {
-        ++missing;
+        missing.add({point.x, 0, 0});
         if (!curve.parts.back().empty()) curve.parts.emplace_back();
         continue;
       }
@@ -71,9 +72,9 @@ Image draw_line(const ScalarProblem& problem, const ShownField& shown, const Pic
       curve.parts.back().push_back(point);
     }
   }
-  if (missing > 0)
-    remarks.push_back(fmt::format("the plot has gaps at {} points, where {} is not a finite number",
-                                  missing, shown.name));
+  if (missing.count > 0)
+    remarks.push_back(missing_values_text(
+        fmt::format("the plot has gaps at {} points", missing.count), missing, shown, 1));
   if (data.low > data.high) data = {0, 1};
   const ValueRange range = shown_range(picture, data, shown.size);
   // The scale widens a range that is empty.

@@ -10,6 +10,7 @@
 #include "problems/output/axes.hpp"
 #include "problems/output/picture_layout.hpp"
 #include "problems/pictures/field_pixels.hpp"
+#include "problems/pictures/missing_values.hpp"
 #include "problems/pictures/region_pixels.hpp"
 
 namespace rfm {
@@ -44,14 +45,17 @@ bool has_slope(const ShownField& shown, std::vector<std::string>& remarks) {
   }
 }
 
-void note_missing_values(const FieldPicture& picture, const std::string& name,
+void note_missing_values(const FieldPicture& picture, const ShownField& shown,
                          std::vector<std::string>& remarks) {
-  int missing = 0;
-  for (std::size_t i = 0; i < picture.value.size(); ++i)
-    if (picture.region.distance[i] >= 0 && !std::isfinite(picture.value[i])) ++missing;
-  if (missing > 0)
-    remarks.push_back(fmt::format(
-        "the picture is grey at {} pixels, where {} is not a finite number", missing, name));
+  MissingValues missing;
+  for (std::size_t i = 0; i < picture.value.size(); ++i) {
+    const int pixel = static_cast<int>(i), width = picture.window.width;
+    if (picture.region.distance[i] >= 0 && !std::isfinite(picture.value[i]))
+      missing.add(picture.window.centre(pixel % width, pixel / width));
+  }
+  if (missing.count > 0)
+    remarks.push_back(missing_values_text(
+        fmt::format("the picture is grey at {} pixels", missing.count), missing, shown, 2));
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ Image draw_plane(const ScalarProblem& problem, const ShownField& shown, const Pi
       picture.contours > 0 && !shown.is_vector() && has_slope(shown, remarks);
   FieldPicture field = sampled(problem, shown, window, with_contours);
   field.parts = sample_materials(problem.problem(), window);
-  note_missing_values(field, shown.name, remarks);
+  note_missing_values(field, shown, remarks);
   request.scale = make_scale(range_of(field).value_or(ValueRange{0, 1}));
   FieldStyle style{*request.scale};
   style.boundary_width = 0.12 * font;

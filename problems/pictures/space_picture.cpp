@@ -1,4 +1,5 @@
 #include "problems/pictures/space_picture.hpp"
+#include "problems/pictures/missing_values.hpp"
 
 #include <fmt/format.h>
 
@@ -54,17 +55,15 @@ ValueRange evaluate_all(std::vector<Panel>& panels, const ShownField& shown, con
   return all.low <= all.high ? all : ValueRange{0, 1};
 }
 
-void note_missing_values(const std::vector<Panel>& panels, const std::string& name,
+void note_missing_values(const std::vector<Panel>& panels, const ShownField& shown,
                          std::vector<std::string>& remarks) {
-  int missing = 0;
+  MissingValues missing;
   for (const Panel& panel : panels)
-    missing += static_cast<int>(
-        std::ranges::count_if(panel.scene.samples().centres, [](const SceneSample& sample) {
-          return sample.is_surface() && !std::isfinite(sample.value);
-        }));
-  if (missing > 0)
-    remarks.push_back(fmt::format(
-        "the picture is grey at {} pixels, where {} is not a finite number", missing, name));
+    for (const SceneSample& sample : panel.scene.samples().centres)
+      if (sample.is_surface() && !std::isfinite(sample.value)) missing.add(sample.point);
+  if (missing.count > 0)
+    remarks.push_back(missing_values_text(
+        fmt::format("the picture is grey at {} pixels", missing.count), missing, shown, 3));
 }
 
 }  // namespace
@@ -98,7 +97,7 @@ Image draw_space(const ScalarProblem& problem, const ShownField& shown, const Pi
     panels[i].scene.sample(window, static_cast<int>(place(i).width),
                            static_cast<int>(place(i).height));
   request.scale = make_scale(evaluate_all(panels, shown, problem.bounds()));
-  note_missing_values(panels, shown.name, remarks);
+  note_missing_values(panels, shown, remarks);
 
   SceneStyle style;
   style.colour = [&](const SceneSample& sample) { return (*request.scale)(sample.value); };

@@ -6,9 +6,10 @@
 
 namespace rfm {
 
-void write_pictures(ResultFolder& folder, const std::string& name, const ScalarProblem& problem,
-                    const ScalarSolution& solution, const std::vector<ConvergenceRow>& convergence,
-                    RunLog& log) {
+std::vector<std::string> write_pictures(ResultFolder& folder, const std::string& name,
+                                        const ScalarProblem& problem,
+                                        const ScalarSolution& solution,
+                                        const std::vector<ConvergenceRow>& convergence) {
   const auto add = [&](const std::string& file, const Image& image) {
     folder.write(file, [&](const std::string& path) { write_png(image, path); });
   };
@@ -18,7 +19,7 @@ void write_pictures(ResultFolder& folder, const std::string& name, const ScalarP
   if (const auto image =
           draw_convergence(convergence, shown_title(problem.problem()), picture.width))
     add(name + ".convergence.png", *image);
-  for (const std::string& remark : remarks) log.line("note: {}", remark);
+  return remarks;
 }
 
 }  // namespace rfm

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "core/bspline.hpp"
 #include "core/error.hpp"
 #include "core/multi_index.hpp"
+#include "core/tape.hpp"
 
 namespace rfm {
 namespace {
@@ -94,6 +96,36 @@ TEST_P(Splines, WithMarsdensCoefficientsAreMonomialsInAllTheirDerivatives) {
               << i << j << k;
         }
   }
+}
+
+TEST(SplineField, HasJetsOfEveryOrderInWhichDerivativesAboveTheDegreeAreZero) {
+  for (const int degree : {0, 2, 8}) {
+    // (x + ½)^p (y + ½)^p by its monomials would have to be summed; x^p y^p has all the orders.
+    const auto p = static_cast<std::uint8_t>(degree);
+    const SplineField spline = monomial(rectangle, degree, {p, p});
+    const Point point{0.3, 0.4};
+    for (const int order : {8, 9, 16}) {
+      const std::vector<double> jet = jet_at(spline, point, 2, order);
+      for (int i = 0; i <= order; ++i)
+        for (int j = 0; j <= order - i; ++j) {
+          const double found = jet[jet_index(2, {std::uint8_t(i), std::uint8_t(j)})];
+          if (i > p || j > p) {
+            EXPECT_EQ(found, 0) << i << " " << j;
+            continue;
+          }
+          const double expected = binomial(p, i) * std::pow(0.3, p - i) *  //
+                                  binomial(p, j) * std::pow(0.4, p - j);
+          const double scale =
+              std::pow(4 / rectangle.spacing(0), i) * std::pow(4 / rectangle.spacing(1), j);
+          EXPECT_NEAR(found, expected, 2e-14 * scale) << degree << " " << i << " " << j;
+        }
+    }
+    EXPECT_THROW(jet_at(spline, point, 2, 17), InvalidArgument);
+  }
+  const Field cubic = field(std::make_shared<SplineField>(monomial(rectangle, 3, {3, 3})));
+  EXPECT_EQ(Tape({cubic}, {12}, 2).jet({0.3, 0.4})[jet_index(2, {4, 5})], 0);
+  for (const double coefficient : jet_at(random_spline(rectangle, 2), {2, 2}, 2, 12))
+    EXPECT_TRUE(std::isnan(coefficient));
 }
 
 TEST(SplineField, DerivativesAlongAxesBeyondItsDimensionAreZero) {

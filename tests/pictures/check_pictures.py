@@ -144,6 +144,22 @@ def check_line(runs):
     assert abs(share - 0.75) < 0.01, f"u(1) / u(2) is drawn as {share}, not 3/4"
 
 
+def check_missing_values(runs):
+    """Where there is nothing to see, log and summary say why, in the plane and on a line."""
+    for text, field, cause in ((RING, "sqrt(x-3)", ": sqrt(-"), (BAR, "log(x-1)", ": log(-")):
+        _, out, printed = runs.run(text, "--picture", "--set", f"outputs.picture.field={field}",
+                                   width=200)
+        notes = json.loads((out / "summary.json").read_text())["notes"]
+        assert len(notes) == 1, notes
+        shown = field.replace("-", " - ")
+        assert f"where {field} is not a finite number, as at the point (" in notes[0], notes
+        assert cause in notes[0] and notes[0].endswith(f" in {shown}"), notes
+        assert f"note: {notes[0]}" in printed, printed
+        assert notes[0] in (out / "log.txt").read_text()
+    _, out, _ = runs.run(RING, "--picture", width=200)
+    assert "notes" not in json.loads((out / "summary.json").read_text())
+
+
 def check_convergence(runs):
     names, out, _ = runs.run(RING + EXACT, "--converge", "3", "--picture", width=400)
     assert "case.convergence.png" in names and "case.png" in names, names
@@ -183,7 +199,8 @@ def main():
     status = 0
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(sys.argv[1], folder)
-        for check in (check_ring, check_options, check_line, check_convergence, check_check):
+        for check in (check_ring, check_options, check_line, check_missing_values,
+                      check_convergence, check_check):
             try:
                 check(runs)
             except AssertionError as failure:

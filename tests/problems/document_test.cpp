@@ -74,9 +74,9 @@ TEST(Document, FindsAPlaceWithinAText) {
       parse("a: x + yy\nb: \"x + yy\"\nc: >\n  x\n  + yy\nd: \"x\\x20+ yy\"\n");
   EXPECT_EQ(root.find("a")->place_within(4, 2).text(), "f.yaml:1:8");
   EXPECT_EQ(root.find("b")->place_within(4, 2).text(), "f.yaml:2:9");
-  // Where the text is not in the file as it is, the place is that of the whole.
-  EXPECT_EQ(root.find("c")->place_within(4, 2).text(), "f.yaml:3:4");
-  EXPECT_EQ(root.find("d")->place_within(4, 2).text(), "f.yaml:6:4");
+  // Where the text is not in the file as it is, the place is still that in the file.
+  EXPECT_EQ(root.find("c")->place_within(4, 2).text(), "f.yaml:5:5");
+  EXPECT_EQ(root.find("d")->place_within(4, 2).text(), "f.yaml:6:12");
 }
 
 TEST(Document, RefusesWhatIsNotOneDocument) {
