@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include "core/level_function.hpp"
 #include "quadrature/domain_rule.hpp"
@@ -159,18 +158,6 @@ TEST(DomainRule3D, IntegratesMomentsOfABall) {
           values[k] = block.coordinates[2][k] * block.normals[2][k];
       });
   EXPECT_NEAR(surface, 4 * pi / 3, 1e-12);
-}
-
-TEST(DomainRule3D, IsTheSameForAnyNumberOfThreads) {
-  const auto with_threads = [&](int threads) {
-    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return rule_for(turned_cube(0.85) - ball(0.5, 0.3, 0.2, 0.4), grid(1.7, 6, 3), 3);
-  };
-  const DomainRule one = with_threads(1), two = with_threads(2);
-  EXPECT_EQ(one.cut_points().coordinates, two.cut_points().coordinates);
-  EXPECT_EQ(one.cut_points().weights, two.cut_points().weights);
-  EXPECT_EQ(one.boundary().points.weights, two.boundary().points.weights);
-  EXPECT_EQ(one.boundary().points.numbers, two.boundary().points.numbers);
 }
 
 TEST(DomainRule3D, InterfacesSplitVolumeAndBoundary) {

@@ -1,7 +1,6 @@
 #include "quadrature/domain_rule.hpp"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include "core/error.hpp"
 #include "core/field_source.hpp"
@@ -166,22 +165,6 @@ TEST(DomainRule, EachPieceOfTheBoundaryHasItsOwnMeasure) {
   EXPECT_NEAR(rule.boundary_measure(1), 2, 1e-13);
   EXPECT_NEAR(rule.boundary_measure(), pi + 2, 1e-13);
   EXPECT_NEAR(rule.measure(), pi / 2, 1e-13);
-}
-
-TEST(DomainRule, IsTheSameForAnyNumberOfThreads) {
-  const Region region = disk(0, 0, 1) - disk(0.6, 0.3, 0.7) - star(0.1, 0.4);
-  const auto with_threads = [&](int threads) {
-    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return rule_for(region, grid(1.7, 40), 4);
-  };
-  const DomainRule one = with_threads(1), two = with_threads(2);
-  EXPECT_EQ(one.cut_points().coordinates, two.cut_points().coordinates);
-  EXPECT_EQ(one.cut_points().weights, two.cut_points().weights);
-  EXPECT_EQ(one.boundary().points.coordinates, two.boundary().points.coordinates);
-  EXPECT_EQ(one.boundary().points.weights, two.boundary().points.weights);
-  EXPECT_EQ(one.boundary().points.numbers, two.boundary().points.numbers);
-  EXPECT_EQ(one.cut_cells(), two.cut_cells());
-  EXPECT_EQ(moment(one, 3, 2), moment(two, 3, 2));
 }
 
 TEST(DomainRule, InterfacesSplitTheRuleWhereIntegrandsJump) {

@@ -135,4 +135,72 @@ TEST(FacesOnGridLines, ACircleThatTouchesThemKeepsItsPerimeter) {
   }
 }
 
+TEST(FacesOnGridLines, CirclesThroughNodesKeepTheirPerimeter) {
+  // Radius 5/4: through (1, 3/4) and its mirror images, nodes of all of these grids.
+  for (const int cells : {12, 24, 48}) {
+    QuadratureOptions options;
+    options.cut_points = 14;
+    const Region segment = disk(0, 0, 1.25) & half_plane(-1, 0, 1) & half_plane(0, 1, 0.75);
+    const DomainRule rule = make_domain_rule(RegionEvaluator(segment), grid(1.5, cells), options);
+    // The disk without what lies beyond the chords x = 1 and y = −3/4, which meet on the circle.
+    const auto cap = [](double d) {
+      return 1.5625 * std::acos(d / 1.25) - d * std::sqrt(1.5625 - d * d);
+    };
+    EXPECT_NEAR(rule.measure(), 1.5625 * pi - cap(1) - cap(0.75), 1e-13) << cells;
+    const double arc = 1.25 * 2 * (pi - std::acos(0.8) - std::acos(0.6));
+    EXPECT_NEAR(rule.boundary_measure(0), arc, 1e-11 + rule.report().order_difference.boundary);
+    EXPECT_NEAR(rule.boundary_measure(1), 1.5, 1e-13) << cells;
+    EXPECT_NEAR(rule.boundary_measure(2), 2, 1e-13) << cells;
+    EXPECT_LT(rule.report().divergence_defect, cells == 12 ? 1e-8 : 1e-10) << cells;
+  }
+}
+
+TEST(FacesOnGridLines, CornersOnNodesAndOnLinesAreCountedOnce) {
+  // A square on its corner: all four corners are nodes, the sides run along diagonals of cells; by
+  // 1e-14 larger and smaller, and with the corners on lines only.
+  for (const double off : {0.0, 1e-14, -1e-14, 0.03125})
+    for (const int cells : {4, 8, 16}) {
+      const double a = 1 + off;
+      const Region square =
+          half_plane(1, 1, a) & half_plane(-1, 1, a) & half_plane(1, -1, a) & half_plane(-1, -1, a);
+      const DomainRule rule = rule_for(square, grid(2, cells));
+      EXPECT_NEAR(rule.measure(), 2 * a * a, 1e-13) << off << " " << cells;
+      for (int side = 0; side < 4; ++side)
+        EXPECT_NEAR(rule.boundary_measure(side), std::sqrt(2.0) * a, 1e-13) << off << " " << cells;
+      EXPECT_LT(rule.report().divergence_defect, 1e-13) << off << " " << cells;
+      EXPECT_EQ(rule.report().uncertified.boxes, 0) << off << " " << cells;
+    }
+}
+
+TEST(FacesOnGridPlanes, A1e14OffThemAreCountedOnce) {
+  const auto solid = [](const Field& level) { return region_of(level, 3); };
+  for (const double off : {0.0, 1e-14, -1e-14})
+    for (const int cells : {4, 8}) {
+      const double a = 1 + off;
+      const Region cube = solid(a - x()) & solid(a + x()) & solid(a - y()) & solid(a + y()) &
+                          solid(a - z()) & solid(a + z());
+      const DomainRule rule = rule_for(cube, grid(2, cells, 3));
+      EXPECT_NEAR(rule.measure(), 8, 1e-12) << off << " " << cells;
+      for (int side = 0; side < 6; ++side)
+        EXPECT_NEAR(rule.boundary_measure(side), 4, 1e-12) << off << " " << cells;
+      EXPECT_LT(rule.report().divergence_defect, 1e-12) << off << " " << cells;
+    }
+}
+
+TEST(FacesOnGridPlanes, VerticesOnNodesAndEdgesOnLinesAreCountedOnce) {
+  // A tetrahedron in a cube: vertices on nodes, edges along diagonals of the faces of cells.
+  const auto solid = [](const Field& level) { return region_of(level, 3); };
+  for (const double off : {0.0, 1e-14, -1e-14})
+    for (const int cells : {2, 4, 5, 8}) {
+      const double a = 1 + off;
+      const Region body = solid(a + x() + y() + z()) & solid(a + x() - y() - z()) &
+                          solid(a - x() + y() - z()) & solid(a - x() - y() + z());
+      const DomainRule rule = rule_for(body, grid(1 + 1e-13, cells, 3));
+      EXPECT_NEAR(rule.measure(), 8.0 / 3 * a * a * a, 1e-12) << off << " " << cells;
+      for (int side = 0; side < 4; ++side)
+        EXPECT_NEAR(rule.boundary_measure(side), 2 * std::sqrt(3.0), 1e-12) << off << " " << cells;
+      EXPECT_LT(rule.report().divergence_defect, 1e-12) << off << " " << cells;
+    }
+}
+
 }  // namespace

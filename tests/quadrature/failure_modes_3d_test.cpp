@@ -159,7 +159,7 @@ TEST(FailureModes3D, MeasuresHoldForEveryPositionOfTheGrid) {
 }
 
 TEST(FailureModes3D, ThinPlates) {
-  for (const double width : {2e-3, 2e-6, 2e-10}) {
+  for (const double width : {2e-3, 2e-6, 2e-10, 1e-10}) {
     const double w = width / 2;
     const Field across = (2 * x() - y() + 2 * z()) / 3;
     const Region plate =

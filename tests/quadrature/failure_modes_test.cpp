@@ -188,7 +188,7 @@ TEST(FailureModes, WhatIsNowherePositiveIsOutside) {
 }
 
 TEST(FailureModes, StripsAsThinAsOneTenBillionth) {
-  for (const double width : {2e-3, 2e-6, 2e-10}) {
+  for (const double width : {2e-3, 2e-6, 2e-10, 1e-10}) {
     const double w = width / 2;
     const Region strip = disk(0, 0, 1) & region_of(w - across(), 2) & region_of(w + across(), 2);
     const double area = 2 * (w * std::sqrt(1 - w * w) + std::asin(w));
