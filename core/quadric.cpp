@@ -85,20 +85,6 @@ std::optional<Quadric> of_instruction(const Instruction& instruction,
 
 bool Quadric::is_affine() const { return square == std::array<double, 6>{}; }
 
-double Quadric::value(const Point& point) const {
-  const double x = point[0] - origin[0], y = point[1] - origin[1], z = point[2] - origin[2];
-  return constant + x * (linear[0] + square[0] * x + 2 * (square[1] * y + square[2] * z)) +
-         y * (linear[1] + square[3] * y + 2 * square[4] * z) + z * (linear[2] + square[5] * z);
-}
-
-double Quadric::slope(const Point& point, int axis) const {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) sum += square[square_index(axis, i)] * (point[i] - origin[i]);
-  return linear[axis] + 2 * sum;
-}
-
-Point Quadric::gradient(const Point& x) const { return {slope(x, 0), slope(x, 1), slope(x, 2)}; }
-
 namespace {
 
 // c + b·t + tᵀAt with mixed terms as a sum of squares: each axis in turn is completed together with

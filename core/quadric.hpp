@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/field.hpp"
@@ -25,9 +26,24 @@ struct Quadric {
   }
 
   bool is_affine() const;
-  double value(const Point& x) const;
-  double slope(const Point& x, int axis) const;
-  Point gradient(const Point& x) const;
+  // Multiply-adds are written out, so that the value at a point is the same to the last bit
+  // wherever this is inlined: boxes on both sides of a face must see the same sign.
+  double value(const Point& point) const {
+    const double x = point[0] - origin[0], y = point[1] - origin[1], z = point[2] - origin[2];
+    const double p =
+        std::fma(2, std::fma(square[1], y, square[2] * z), std::fma(square[0], x, linear[0]));
+    const double q = std::fma(2 * square[4], z, std::fma(square[3], y, linear[1]));
+    const double r = std::fma(square[5], z, linear[2]);
+    return std::fma(x, p, std::fma(y, q, std::fma(z, r, constant)));
+  }
+  double slope(const Point& point, int axis) const {
+    const double x = point[0] - origin[0], y = point[1] - origin[1], z = point[2] - origin[2];
+    const double sum =
+        std::fma(square[square_index(axis, 0)], x,
+                 std::fma(square[square_index(axis, 1)], y, square[square_index(axis, 2)] * z));
+    return std::fma(2, sum, linear[axis]);
+  }
+  Point gradient(const Point& x) const { return {slope(x, 0), slope(x, 1), slope(x, 2)}; }
   /// Rigorous bounds of the value and gradient; the gradient, which is affine, is enclosed exactly
   /// up to rounding, the value by the better of the natural and the mean value form.
   FunctionBounds bounds(const Box& box) const;

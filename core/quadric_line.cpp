@@ -1,12 +1,6 @@
 #include "core/quadric.hpp"
 
 namespace rfm {
-namespace {
-
-// Place of an entry of A among xx, xy, xz, yy, yz, zz.
-constexpr int entry[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-
-}  // namespace
 
 LinePolynomial Quadric::along(const Line& line) const {
   const Point slope = gradient(line.origin);
@@ -14,7 +8,7 @@ LinePolynomial Quadric::along(const Line& line) const {
   for (int i = 0; i < 3; ++i) {
     polynomial.linear += slope[i] * line.direction[i];
     for (int j = 0; j < 3; ++j)
-      polynomial.square += square[entry[i][j]] * line.direction[i] * line.direction[j];
+      polynomial.square += square[square_index(i, j)] * line.direction[i] * line.direction[j];
   }
   return polynomial;
 }
@@ -34,8 +28,8 @@ LineBounds Quadric::bounds(const Line& line, const Interval& range) const {
   for (int i = 0; i < 3; ++i) {
     b = b + at_middle.gradient[i] * Interval(line.direction[i]);
     for (int j = 0; j < 3; ++j)
-      a = a +
-          Interval(square[entry[i][j]]) * Interval(line.direction[i]) * Interval(line.direction[j]);
+      a = a + Interval(square[square_index(i, j)]) * Interval(line.direction[i]) *
+                  Interval(line.direction[j]);
   }
   return {at_middle.value + t * (b + a * t), b + Interval(2) * a * t, true};
 }
