@@ -1,5 +1,7 @@
 #include "problems/run_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -24,6 +26,22 @@ std::vector<int> read_cells(const DocumentNode& node, ValueReader& values) {
   return values.integers(node).value_or(std::vector<int>{});
 }
 
+void read_curve(const DocumentNode& node, ValueReader& values, Grading& grading) {
+  const int needed = values.dimension - 1;
+  if (static_cast<int>(node.items.size()) != needed)
+    return values.mistakes.add(
+        values.dimension == 1
+            ? "a line has no curves; expected a point"
+            : fmt::format(
+                  "expected {} on a curve {}, but found {}",
+                  needed == 1 ? "the formula that is zero" : "the two formulas that are zero",
+                  needed == 1 ? "of the plane" : "of space", node.items.size()),
+        node.place);
+  for (const DocumentNode& item : node.items)
+    if (const std::optional<Field> function = values.field(item))
+      grading.curve.push_back(std::make_shared<LevelFunction>(*function, values.dimension));
+}
+
 Grading read_grading(const DocumentNode& node, ValueReader& values) {
   Grading grading;
   const auto read_point = [&](const DocumentNode& map, const char* key, Point& point) {
@@ -36,6 +54,7 @@ Grading read_grading(const DocumentNode& node, ValueReader& values) {
     read_point(*segment, "from", grading.from);
     read_point(*segment, "to", grading.to);
   }
+  if (const DocumentNode* curve = values.find(node, "curve")) read_curve(*curve, values, grading);
   if (const DocumentNode* levels = values.find(node, "levels"))
     grading.levels = values.integer(*levels).value_or(grading.levels);
   if (const DocumentNode* ratio = values.find(node, "ratio"))

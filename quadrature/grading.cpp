@@ -31,7 +31,7 @@ class GradedParts {
       : grading_(grading), reach_(grading.reach > 0 ? grading.reach : spacing), visit_(visit) {
     int axes = 0;
     for (int axis = 0; axis < 3; ++axis) axes += grading.from[axis] != grading.to[axis];
-    is_straight_ = axes <= 1;
+    is_straight_ = axes <= 1 && grading.curve.empty();
   }
 
   void run(const Box& box) {
@@ -42,7 +42,7 @@ class GradedParts {
   }
 
   bool reaches(const Box& box) const {
-    return is_straight_ ? overlaps(box, around(box, 0)) : distance(box) < reach_;
+    return is_straight_ ? overlaps(box, around(box, 0)) : is_within(box, reach_);
   }
 
  private:
@@ -101,16 +101,30 @@ class GradedParts {
     return at(0.5 * (low + high));
   }
 
+  // False only if the segment or curve is no nearer to the box, in the maximum norm.
+  bool is_within(const Box& box, double away) const {
+    if (grading_.curve.empty()) return distance(box) < away;
+    Box around = box;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+      around.low[axis] -= away;
+      around.high[axis] += away;
+    }
+    return std::ranges::all_of(grading_.curve, [&](const auto& function) {
+      const Interval value = function->bounds(around).value;
+      return !(value.low > 0 || value.high < 0);
+    });
+  }
+
   void oblique(const Box& box) {
-    const double size = box.longest_side(), away = distance(box);
-    if (away >= std::min(size, reach_)) return visit_(box);
+    const double size = box.longest_side();
+    if (!is_within(box, std::min(size, reach_))) return visit_(box);
     if (size > reach_ * std::pow(grading_.ratio, grading_.levels)) {
       std::array<std::array<double, 2>, 3> middle{};
       for (int axis = 0; axis < box.dimension; ++axis)
         middle[axis].fill(0.5 * (box.low[axis] + box.high[axis]));
       return visit_pieces(box, middle, 0, [&](const Box& piece) { oblique(piece); });
     }
-    // Aslant, so that no Gauss point lies on a segment that is a diagonal.
+    // Aslant, so that no Gauss point lies on a segment that is a diagonal, or on such a curve.
     std::array<std::array<double, 2>, 3> places{};
     constexpr std::array<double, 3> aslant{0.4142, 0.5772, 0.4812};
     for (int axis = 0; axis < box.dimension; ++axis)
@@ -134,7 +148,16 @@ void check(const Grading& grading) {
   if (!(grading.reach >= 0)) throw InvalidArgument("the reach of a grading is not negative");
 }
 
+Grading towards_curve(const std::vector<Field>& functions, int dimension, int levels) {
+  Grading grading;
+  grading.levels = levels;
+  for (const Field& function : functions)
+    grading.curve.push_back(std::make_shared<LevelFunction>(function, dimension));
+  return grading;
+}
+
 bool lies_on(const Grading& grading, int dimension, const Point& point) {
+  if (!grading.curve.empty()) return false;
   int axes = 0;
   for (int axis = 0; axis < dimension; ++axis) {
     const auto [low, high] = std::minmax(grading.from[axis], grading.to[axis]);

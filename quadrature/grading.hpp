@@ -1,14 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 
-#include "core/box.hpp"
+#include "core/level_function.hpp"
 
 namespace rfm {
 
-/// A point or a segment near which integrands are not smooth: the corner of a region where an
-/// R-function or a singular enrichment is not, the tip of a crack, an edge. Rules are graded
+/// A point, a segment or a curve near which integrands are not smooth: the corner of a region where
+/// an R-function or a singular enrichment is not, the tip of a crack, an edge. Rules are graded
 /// towards it: with Q_k the points within reach · ratio^k of it (in the maximum norm), boxes are
 /// split at the sides of Q₀, Q₁, … Q_levels,
 ///
@@ -29,6 +30,11 @@ namespace rfm {
 ///
 /// A segment that is parallel to an axis is not split along it. Around other segments cubes are
 /// halved along all axes, about 2^levels times as many parts.
+///
+/// A curve is where functions vanish together: one of the plane, two of space, as those of two
+/// surfaces at their edge (two of the plane are points, one of space is a surface). Cubes are
+/// halved wherever bounds of all of them hold zero within the size of a cube of it, so that no part
+/// is larger than its distance from the curve; bounds that are not sharp cost further parts only.
 struct Grading {
   Point from{};
   /// The other end; the same as `from` for a point.
@@ -37,7 +43,12 @@ struct Grading {
   double ratio = 0.5;
   /// Where grading begins; 0 for the longest side of a cell.
   double reach = 0;
+  /// The functions of a curve, instead of the point or segment.
+  std::vector<std::shared_ptr<const LevelFunction>> curve = {};
 };
+
+/// A grading towards the curve on which all of `functions` vanish.
+Grading towards_curve(const std::vector<Field>& functions, int dimension, int levels);
 
 /// Whether a point is the singular point itself, or on a segment parallel to an axis, to the last
 /// bit. Parts of rounding width at the tip of a wedge may leave such points, of negligible weight,

@@ -13,6 +13,7 @@
 #include "problems/pictures/field_pixels.hpp"
 #include "problems/pictures/plane_picture.hpp"
 #include "problems/pictures/region_pixels.hpp"
+#include "problems/pictures/rule_dots.hpp"
 #include "problems/pictures/shown_field.hpp"
 
 namespace rfm {
@@ -124,6 +125,8 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   Canvas canvas(layout.width, layout.height);
   paint_region(canvas, static_cast<int>(layout.shown.left), static_cast<int>(layout.shown.top),
                picture, {font, 0.2 * font});
+  if (problem.problem().outputs.rule)
+    paint_rule_dots(canvas, layout.shown.left, layout.shown.top, picture.window, rule);
   show_window(x, y, picture.window);
   Axes{layout.shown, x, y, font}.draw(canvas);
   draw_frame(canvas, layout, request);

@@ -12,6 +12,7 @@
 #include "problems/pictures/grid_box.hpp"
 #include "problems/pictures/panel_arrangement.hpp"
 #include "problems/pictures/plane_check.hpp"
+#include "problems/pictures/rule_dots.hpp"
 #include "problems/pictures/scene_painter.hpp"
 #include "problems/pictures/scene_panel.hpp"
 #include "problems/pictures/shown_field.hpp"
@@ -200,6 +201,8 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
     draw_grid_box(canvas, room.left, room.top, scene.camera(), grid);
     paint_scene(canvas, static_cast<int>(room.left), static_cast<int>(room.top), scene.samples(),
                 scene.camera(), style);
+    if (problem.problem().outputs.rule)
+      paint_rule_dots(canvas, room.left, room.top, scene.samples(), scene.camera(), rule);
     draw_axes_triad(canvas, {room.left + 2.2 * font, room.bottom() - 1.5 * font}, 1.6 * font,
                     0.8 * font, scene.view());
     canvas.text(panels[i].caption, {room.left + 0.5 * room.width, room.top - 0.9 * font},

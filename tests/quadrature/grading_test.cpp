@@ -211,6 +211,71 @@ TEST(Grading, ObliqueSegmentsConvergeAtTheSameRate) {
   EXPECT_NEAR(value, 2 * std::pow(2, 1.5) / 0.75, 0.4);
 }
 
+TEST(Grading, TowardsACircleOfThePlaneErrorsFallAsThePowerSays) {
+  // ∫ |r − 1|^α over 1/2 < r < 3/2: 2 · 2π (1/2)^(α + 1) / (α + 1).
+  const Region ring = disk(0, 0, 1.5) - disk(0, 0, 0.5);
+  const Field r2 = square(x()) + square(y());
+  for (const double exponent : exponents) {
+    const double exact = 4 * pi * std::pow(0.5, exponent + 1) / (exponent + 1);
+    const auto error = [&](int levels) {
+      return std::fabs(integral(ring, grid(1.6, 9), 8, {towards_curve({r2 - 1}, 2, levels)},
+                                [&](const Point& p) {
+                                  return std::pow(std::fabs(std::hypot(p[0], p[1]) - 1), exponent);
+                                }) /
+                           exact -
+                       1);
+    };
+    const double order = std::log2(error(2) / error(6)) / 4;
+    // At least; the errors of the parts along the curve have either sign, which gives half an
+    // order.
+    EXPECT_GT(order, exponent + 0.9) << exponent;
+    EXPECT_LT(order, exponent + 1.9) << exponent;
+  }
+}
+
+TEST(Grading, TowardsACircleOfSpaceErrorsFallAsThePowerSays) {
+  // ∫ s^α over the tube of radius 0.4 about the circle ρ = 1, z = 0, s the distance from it: by
+  // Pappus' theorem 2π · 2π 0.4^(α + 2) / (α + 2). The functions of the circle are those of a
+  // sphere and a plane that meet in it.
+  const Field ring = square(x()) + square(y());
+  const Region tube = solid(4 * ring - square(ring + square(z()) + 0.84));
+  for (const double exponent : {-0.5, 0.6}) {
+    const double exact = 4 * pi * pi * std::pow(0.4, exponent + 2) / (exponent + 2);
+    const auto error = [&](int levels) {
+      return std::fabs(integral(tube, grid(1.5, 6, 3), 5,
+                                {towards_curve({1 - ring - square(z()), z()}, 3, levels)},
+                                [&](const Point& p) {
+                                  return std::pow(std::hypot(std::hypot(p[0], p[1]) - 1, p[2]),
+                                                  exponent);
+                                }) /
+                           exact -
+                       1);
+    };
+    const double finest = error(3);
+    EXPECT_NEAR(std::log2(error(0) / finest) / 3, exponent + 2, 0.3) << exponent;
+    EXPECT_LT(finest, 3e-5) << exponent;
+  }
+}
+
+TEST(Grading, PartsNearACurveAreNoLargerThanTheirDistance) {
+  Box unit;
+  unit.dimension = 2;
+  unit.low = {0, 0, 0};
+  unit.high = {1, 1, 0};
+  const double r = 0.7;
+  const Grading grading = towards_curve({square(x()) + square(y()) - r * r}, 2, 6);
+  double area = 0;
+  visit_graded_parts(unit, std::span(&grading, 1), 1, [&](const Box& part) {
+    area += part.measure();
+    const double low = std::hypot(part.low[0], part.low[1]);
+    const double high = std::hypot(part.high[0], part.high[1]);
+    const double distance = std::max({low - r, r - high, 0.0});
+    // √2 for the maximum norm; the smallest parts touch the curve.
+    EXPECT_LE(part.longest_side(), std::max(std::sqrt(2.0) * distance, 1.0 / 64));
+  });
+  EXPECT_NEAR(area, 1, 1e-14);
+}
+
 TEST(Grading, PartsCoverTheBoxOnce) {
   for (const Grading& grading :
        {towards({0.3, 0.2, 0.9}, 7), towards({1, 1, 1}, 5, 0.3), towards({1.2, 0.5, 0.5}, 4),
