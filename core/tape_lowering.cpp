@@ -6,6 +6,7 @@
 #include "core/tape_memory.hpp"
 #include "core/tape_polynomial.hpp"
 #include "core/tape_program.hpp"
+#include "core/tape_step_writer.hpp"
 
 namespace rfm {
 namespace {
@@ -17,6 +18,7 @@ class Lowering {
  public:
   Lowering(Tape::Program& program, const std::vector<int>& orders, int dimension)
       : program_(program),
+        steps_(program),
         code_(program.instructions),
         dimension_(dimension),
         order_(code_.size(), -1),
@@ -138,14 +140,7 @@ class Lowering {
     step.result = result;
     for (int k = 0; k < 3; ++k)
       if (code_[i].operands[k] >= 0) step.arguments[k] = registers_[code_[i].operands[k]];
-    return push(step, {code_[i].number});
-  }
-
-  Step& push(Step step, std::initializer_list<double> constants) {
-    constants_of_step_.push_back(static_cast<int>(program_.step_constants.size()));
-    program_.step_constants.insert(program_.step_constants.end(), constants);
-    program_.steps.push_back(step);
-    return program_.steps.back();
+    return steps_.push(step, {code_[i].number});
   }
 
   void make_leaf(int i) {
@@ -177,7 +172,7 @@ class Lowering {
       const int offset = take(i, slopes ? 1 + dimension_ : 1);
       result.value = Part::varying(offset);
       result.gradient = Part::varying(offset + row);
-      add_sum(p, offset, slopes);
+      add_sum(steps_, p, offset, slopes, dimension_);
     } else {
       const int offset = take(i, 1);
       result.value = Part::varying(offset);
@@ -185,7 +180,7 @@ class Lowering {
       if (slopes) {
         const int gradient = take(i, dimension_);
         result.gradient = Part::varying(gradient);
-        add_gradient(p, gradient);
+        add_gradient(steps_, p, gradient, dimension_);
       }
     }
     if (order >= 1 && !slopes)
@@ -199,55 +194,6 @@ class Lowering {
     result.rest = constant_part(rest);
   }
 
-  Part coordinate(int axis) const { return Part::varying(axis * row); }
-
-  void add_sum(const Polynomial& p, int result, bool slopes) {
-    const Polynomial::Sum& sum = p.sum;
-    Step step;
-    step.result = result;
-    push(step, {sum.scale, sum.first, sum.last});
-    Step& pushed = program_.steps.back();
-    auto& numbers = program_.step_constants;
-    if (p.is_affine() || sum.count == 0) {
-      pushed.kernel = affine_kernel(sum.count);
-      for (int k = 0; k < sum.count; ++k) {
-        pushed.arguments[k].value = coordinate(sum.axis[k]);
-        numbers.insert(numbers.end(), {sum.factor[k], p.origin[sum.axis[k]]});
-      }
-      return;
-    }
-    pushed.kernel = quadratic_sum_kernel(dimension_, slopes);
-    std::array<int, 3> order = sum.axis;
-    int count = sum.count;
-    for (int axis = 0; axis < dimension_; ++axis)
-      if (std::find(order.begin(), order.begin() + count, axis) == order.begin() + count)
-        order[count++] = axis;
-    for (int k = 0; k < dimension_; ++k) {
-      const bool term = k < sum.count;
-      const double factor = term ? sum.factor[k] : 0;
-      const bool squared = term && sum.squared[k];
-      pushed.arguments[k].value = coordinate(order[k]);
-      pushed.index |= order[k] << (2 * k);
-      numbers.insert(numbers.end(),
-                     {p.origin[order[k]], squared ? 0 : factor, squared ? factor : 0});
-    }
-  }
-
-  void add_gradient(const Polynomial& p, int result) {
-    Step step;
-    step.kernel = quadric_gradient_kernel(dimension_);
-    step.result = result;
-    for (int axis = 0; axis < dimension_; ++axis) step.arguments[axis].value = coordinate(axis);
-    push(step, {});
-    auto& numbers = program_.step_constants;
-    numbers.insert(numbers.end(), p.origin.begin(), p.origin.begin() + dimension_);
-    for (int a = 0; a < dimension_; ++a) {
-      numbers.push_back(p.linear[a]);
-      for (int b = 0; b < dimension_; ++b)
-        numbers.push_back(2 * p.square[Polynomial::square_index(a, b)]);
-    }
-  }
-
   // Roots are dense; those that are not yet are copied.
   void collect_roots() {
     for (const int root : program_.root_instructions) {
@@ -259,7 +205,7 @@ class Lowering {
         step.result = take(root, rows);
         step.order = static_cast<std::int16_t>(order_[root]);
         step.variables = static_cast<std::int16_t>(dimension_);
-        push(step, {0.0});
+        steps_.push(step, {0.0});
         program_.root_offsets.push_back(step.result);
       } else {
         program_.root_offsets.push_back(registers_[root].value.offset());
@@ -271,9 +217,8 @@ class Lowering {
     const auto settle = [this](Part& part) {
       if (part.stride() == 0) part = Part::constant(part.offset() + pool_.size());
     };
-    for (std::size_t i = 0; i < program_.steps.size(); ++i) {
-      Step& step = program_.steps[i];
-      step.constants = program_.step_constants.data() + constants_of_step_[i];
+    steps_.finish();
+    for (Step& step : program_.steps) {
       for (Register& argument : step.arguments) {
         settle(argument.value);
         settle(argument.gradient);
@@ -287,6 +232,7 @@ class Lowering {
   }
 
   Tape::Program& program_;
+  StepWriter steps_;
   const std::vector<Instruction>& code_;
   int dimension_;
   int highest_ = 0;
@@ -297,7 +243,6 @@ class Lowering {
   std::vector<std::vector<std::pair<int, int>>> owned_;
   RowPool pool_;
   ConstantPool constants_;
-  std::vector<int> constants_of_step_;
 };
 
 }  // namespace

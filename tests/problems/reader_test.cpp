@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/evaluate.hpp"
+#include "core/tape.hpp"
 #include "problems/resolved_document.hpp"
 #include "problems/result_scope.hpp"
 
@@ -345,4 +346,21 @@ TEST(ReadProblem, HostileFilesAreMistakesAndNotCrashes) {
   std::string wrong = disk;
   for (int i = 0; i < 20'000; ++i) wrong += "k" + std::to_string(i) + ": 1\n";
   EXPECT_GE(messages(wrong).size(), 100u);
+}
+
+TEST(Reader, FormulasOfAFileMayKeepTheirParametersAndChangeThem) {
+  const Problem problem = read(plate);
+  const Expression formula("k*x*r + profile");
+  const Point point{1.2, 0.4};
+  const double numbers = value_at(to_field(formula, problem.scope), point);
+  ExpressionScope scope = problem.scope;
+  scope.keep_parameters();
+  const Tape tape({to_field(formula, scope)}, {0}, 2);
+  Parameters parameters = scope.parameters();
+  EXPECT_DOUBLE_EQ(tape.value(point, 0, {0, parameters}), numbers);
+  parameters.set("k", 46);
+  EXPECT_NEAR(tape.value(point, 0, {0, parameters}), numbers + 1.2 * 0.25, 1e-14);
+  // d(f, k), by differences that are exact: f is affine in k.
+  EXPECT_NEAR(value_at(to_field(Expression("d(k*x*r + profile, k)"), problem.scope), point),
+              1.2 * 0.25, 1e-16);
 }
