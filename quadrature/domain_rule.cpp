@@ -1,5 +1,6 @@
 #include "quadrature/domain_rule.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -119,11 +120,20 @@ class DomainRuleBuilder {
     // Small parts of fixed size: the result is the same for any number of threads.
     constexpr std::size_t part_size = 16;
     std::vector<Part> parts((tasks_.size() + part_size - 1) / part_size);
+    tbb::enumerable_thread_specific<Worker> workers([&] {
+      return Worker{Subdivision(options_.subdivision), {}};
+    });
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
       const std::size_t first = p * part_size;
       const std::size_t last = std::min(first + part_size, tasks_.size());
-      Subdivision subdivision(options_.subdivision);
-      for (std::size_t t = first; t < last; ++t) integrate(tasks_[t], subdivision, parts[p]);
+      Worker& worker = workers.local();
+      worker.rule.volume.clear();
+      worker.rule.boundary.clear();
+      worker.rule.interfaces.clear();
+      for (std::size_t t = first; t < last; ++t) integrate(tasks_[t], worker, parts[p].results);
+      parts[p].volume = worker.rule.volume;
+      parts[p].boundary = worker.rule.boundary;
+      parts[p].interfaces = worker.rule.interfaces;
     });
     gather(parts);
     write_report();
@@ -143,8 +153,15 @@ class DomainRuleBuilder {
     int volume_points, boundary_points, interface_points;
     double fraction;
   };
-  struct Part {
+  // What a thread uses again and again: points are made in memory that is there already, and copied
+  // when it is known how many there are.
+  struct Worker {
+    Subdivision subdivision;
     CellRule rule;
+  };
+  struct Part {
+    VolumePoints volume;
+    SurfacePoints boundary, interfaces;
     std::vector<TaskResult> results;
   };
 
@@ -176,8 +193,8 @@ class DomainRuleBuilder {
     }
   }
 
-  void integrate(const Task& task, Subdivision& subdivision, Part& part) const {
-    CellRule& rule = part.rule;
+  void integrate(const Task& task, Worker& worker, std::vector<TaskResult>& results) const {
+    CellRule& rule = worker.rule;
     rule.uncertified = {};
     rule.order_difference = {};
     const int volume = rule.volume.size(), boundary = rule.boundary.size(),
@@ -193,7 +210,7 @@ class DomainRuleBuilder {
       add_cell_rule(box, active,
                     {options_.cut_points, options_.compare_orders, options_.inside_points,
                      std::max(box.measure() / whole.measure(), least_share)},
-                    subdivision, rule);
+                    worker.subdivision, rule);
       is_full = rule.is_full && whole.low == box.low && whole.high == box.high;
     };
     const auto add = [&](const Box& box, const ActiveSet& active) {
@@ -222,12 +239,12 @@ class DomainRuleBuilder {
       const int dimension = rule_.dimension();
       compress(dimension, compressed_degree(options_.cut_points, dimension), volume, rule.volume);
     }
-    part.results.push_back({{task.cell, rule.uncertified, rule.order_difference},
-                            state,
-                            rule.volume.size() - volume,
-                            rule.boundary.size() - boundary,
-                            rule.interfaces.size() - interfaces,
-                            fraction});
+    results.push_back({{task.cell, rule.uncertified, rule.order_difference},
+                       state,
+                       rule.volume.size() - volume,
+                       rule.boundary.size() - boundary,
+                       rule.interfaces.size() - interfaces,
+                       fraction});
   }
 
   void gather(std::vector<Part>& parts) {
@@ -249,8 +266,8 @@ class DomainRuleBuilder {
         rule_.report_.smallest_cut_fraction =
             std::min(rule_.report_.smallest_cut_fraction, result.fraction);
       }
-      boundary.append(part.rule.boundary);
-      interfaces.append(part.rule.interfaces);
+      boundary.append(part.boundary);
+      interfaces.append(part.interfaces);
       part = {};
     }
     const int cells = rule_.grid_.cell_count();
@@ -275,7 +292,7 @@ class DomainRuleBuilder {
   void gather_volume(std::vector<Part>& parts) {
     const int dimension = rule_.dimension();
     std::size_t count = 0;
-    for (const Part& part : parts) count += part.rule.volume.weights.size();
+    for (const Part& part : parts) count += part.volume.weights.size();
     tbb::parallel_for(0, dimension + 1, [&](int i) {
       const auto array = [&](VolumePoints& points) -> std::vector<double>& {
         return i < dimension ? points.coordinates[i] : points.weights;
@@ -283,7 +300,7 @@ class DomainRuleBuilder {
       std::vector<double>& all = array(rule_.cut_points_);
       all.reserve(count);
       for (Part& part : parts) {
-        const std::vector<double> own = std::move(array(part.rule.volume));
+        const std::vector<double> own = std::move(array(part.volume));
         all.insert(all.end(), own.begin(), own.end());
       }
     });
