@@ -33,6 +33,53 @@ std::array<double, 10> normalised(const Quadric& quadric, const Box& box) {
   return c;
 }
 
+// The nearest zero of a function by Newton's method along its gradient; false if there is none
+// near.
+bool lands_on_zero(const LevelFunction& f, double reach, Point& point, Point& gradient) {
+  const Point start = point;
+  constexpr int most_steps = 20;
+  for (int step = 0; step < most_steps; ++step) {
+    const double value = f.value_and_gradient(point, gradient);
+    double square = 0, away = 0;
+    for (const double slope : gradient) square += slope * slope;
+    if (!(square > 0)) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] -= value * gradient[axis] / square;
+      away = std::max(away, std::fabs(point[axis] - start[axis]));
+    }
+    if (!(away <= reach)) return false;
+    if (std::fabs(value) <= 1e-15 * reach * std::sqrt(square)) return true;
+  }
+  return true;
+}
+
+// Whether two primitives vanish on the same curve or surface in a small box, as far as some points
+// of it show: sin(pi x) and x + 4 do next to x = -4. Their common zeros are no corners, and could
+// not be isolated.
+bool coincide_within(const LevelFunction& f, const LevelFunction& g, const Box& box) {
+  constexpr double places[] = {0.08, 0.31, 0.5, 0.73, 0.94};
+  const double size = box.longest_side();
+  int found = 0;
+  for (int i = 0; i < 5; ++i) {
+    Point point{}, across{}, other{};
+    for (int axis = 0; axis < box.dimension; ++axis)
+      point[axis] = box.low[axis] + places[(i + 2 * axis) % 5] * box.length(axis);
+    if (!lands_on_zero(f, size, point, across)) continue;
+    const double value = g.value_and_gradient(point, other);
+    double square = 0, along = 0, square_across = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      square += other[axis] * other[axis];
+      along += other[axis] * across[axis];
+      square_across += across[axis] * across[axis];
+    }
+    constexpr double rounding = 1e-12;
+    if (!(std::fabs(value) <= rounding * size * std::sqrt(square))) return false;
+    if (!(along * along >= (1 - rounding) * square * square_across)) return false;
+    ++found;
+  }
+  return found >= 3;
+}
+
 class CandidateSearch {
  public:
   CandidateSearch(const RegionEvaluator& region, const Box& box, double longest,
@@ -90,6 +137,7 @@ class CandidateSearch {
             is_new = false;
         if (!is_new) continue;
         known.push_back({a, b});
+        if (coincide_within(region_.level(a), region_.level(b), box)) continue;
         found.pairs.push_back({i, j});
       }
     if (!found.pairs.empty()) visit_(found);

@@ -177,4 +177,12 @@ TEST(Vertices, ANapkinRingAndALineHaveNone) {
   EXPECT_TRUE(search(box({0, 0, 0}, {1, 0, 0}, 1), {1, {0, 0, 0}, {1, 0, 0}}).vertices.empty());
 }
 
+// Where two primitives have a piece in common, but not their whole zero sets, they form no corners.
+TEST(Vertices, OfSidesThatCoincideWithACurveAreThoseOfTheOthers) {
+  const Region strips = level_set(sin(pi * x_coordinate()));
+  const VertexSearch found = search(box({0, 0}, {1, 1}) & strips, {2, {0, 0}, {1, 1}});
+  EXPECT_EQ(found.vertices.size(), 4u);
+  EXPECT_TRUE(found.unresolved.empty());
+}
+
 }  // namespace
