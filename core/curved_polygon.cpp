@@ -7,6 +7,7 @@
 
 #include "core/contour_nesting.hpp"
 #include "core/curve_division.hpp"
+#include "core/edge_primitives.hpp"
 #include "core/error.hpp"
 #include "core/line_groups.hpp"
 #include "core/polygon_chains.hpp"
@@ -60,6 +61,7 @@ class CurvedPolygonBuilder {
   const std::vector<std::pair<std::size_t, Point>>& blocking() const { return blocking_; }
 
   std::vector<std::shared_ptr<const Primitive>> primitives() {
+    mark_smooth_joints();
     std::vector<std::shared_ptr<const Primitive>> list;
     for (const Primitive& primitive : primitives_)
       list.push_back(std::make_shared<const Primitive>(primitive));
@@ -72,7 +74,7 @@ class CurvedPolygonBuilder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const Primitive& primitive = primitives_[curve_of_.at(static_cast<int>(e))];
       if (primitive.name != edges_[e].name)
-        sides.push_back({edges_[e].name, {primitive.name}, part(edges_[e])});
+        sides.push_back({edges_[e].name, {primitive.name}, part_of_curve(edges_[e])});
     }
     add_groups(sides);
     return sides;
@@ -95,10 +97,25 @@ class CurvedPolygonBuilder {
         const int primitive = curve_of_.at(edge);
         pieces.insert(primitives_[primitive].name);
         shared = shared || groups_of[primitive].size() > 1;
-        where = where ? max(*where, part(edges_[edge])) : part(edges_[edge]);
+        where = where ? max(*where, part_of_curve(edges_[edge])) : part_of_curve(edges_[edge]);
       }
       sides.push_back({name, {pieces.begin(), pieces.end()}, shared ? where : std::nullopt});
     }
+  }
+
+  void mark_smooth_joints() {
+    constexpr double rounding = 1e-9;
+    for (const auto& contour : contours_)
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const CurvePiece& piece = contour[i].piece;
+        std::size_t next = (i + 1) % contour.size();
+        if (contour[next].is_tangent) next = (next + 1) % contour.size();
+        const CurvePiece& other = contour[next].piece;
+        if (contour[i].is_tangent || curve_of_.at(piece.edge) == curve_of_.at(other.edge)) continue;
+        if (std::fabs(cross(piece.end_direction(), other.start_direction())) > rounding) continue;
+        for (const int edge : {piece.edge, other.edge})
+          primitives_[curve_of_.at(edge)].joins_smoothly = true;
+      }
   }
 
   // Chords of all links, grouped by line; a group without a straight edge is a separator.
@@ -176,7 +193,7 @@ class CurvedPolygonBuilder {
     branch_of_[next] = -1;
     if (!edge.center && edge.whole.weight > 1) {
       branch_of_[next] = next + 1;
-      primitives_.push_back(branch(edge.whole));
+      primitives_.push_back(branch_primitive(edge.whole));
       primitives_.back().name = edge.name + "_branch";
     }
     return curve_of_[number] = next;
@@ -187,60 +204,6 @@ class CurvedPolygonBuilder {
     const double distance =
         std::hypot((*a.center)[0] - (*b.center)[0], (*a.center)[1] - (*b.center)[1]);
     return distance + std::fabs(a.radius - b.radius) <= 1e-13 * (a.radius + b.radius);
-  }
-
-  // (r² − |x − c|²) / 2r as a polynomial about the middle of the chord, so that nothing is lost
-  // where the centre is far away: κ/2 (L²/4 − |x − m|²) + v (1 − b²)/(1 + b²), v the height over
-  // the chord, for the bulge b (of half of an arc beyond a semicircle).
-  static Primitive disk_primitive(const CurvedEdge& edge) {
-    const Point &p = edge.whole.from, &q = edge.whole.to;
-    const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
-    const double turn = edge.whole.turn, cosine = edge.whole.weight;
-    const Field x = x_coordinate() - (p[0] + q[0]) / 2, y = y_coordinate() - (p[1] + q[1]) / 2;
-    const Field height = (q[0] - p[0]) / length * y - (q[1] - p[1]) / length * x;
-    const Field level =
-        (length * length / 4 - x * x - y * y) * (0.5 / edge.radius) + turn * cosine * height;
-    return {"", level, level};
-  }
-
-  // Barycentric coordinates a, c with respect to the ends and b = 1 − a − c to the control point.
-  struct Barycentric {
-    Field a, b, c;
-    explicit Barycentric(const CurvePiece& piece) : a(0.0), b(0.0), c(0.0) {
-      const Point p = piece.from, r = piece.to;
-      const Point q{piece.weighted_control[0] / piece.weight,
-                    piece.weighted_control[1] / piece.weight};
-      const auto ratio = [&](const Point& u, const Point& v, const Point& one) {
-        const double area = cross({v[0] - u[0], v[1] - u[1]}, {one[0] - u[0], one[1] - u[1]});
-        return (v[0] - u[0]) / area * (y_coordinate() - u[1]) -
-               (v[1] - u[1]) / area * (x_coordinate() - u[0]);
-      };
-      a = ratio(q, r, p);
-      b = ratio(p, r, q);
-      c = ratio(p, q, r);
-    }
-  };
-  // 4 w² a c − b²: zero on the conic, positive on the side of its chord.
-  static Primitive conic_primitive(const CurvePiece& piece) {
-    const Barycentric place(piece);
-    const double w = piece.weight;
-    const Field level = 4 * w * w * (place.a * place.c) - place.b * place.b;
-    return {"", normalize(level, 2), level};
-  }
-  // Of the two branches of a hyperbola this one.
-  static Primitive branch(const CurvePiece& piece) {
-    const Barycentric place(piece);
-    const Field level = 1.0 - place.b;
-    return {"", normalize(level, 2), level, true};
-  }
-
-  static Field part(const CurvedEdge& edge) {
-    const Field x = x_coordinate(), y = y_coordinate();
-    const Point &p = edge.from, &q = edge.to;
-    if (edge.center)  // of its circle, the part beyond the chord
-      return ((y - p[1]) * (q[0] - p[0]) - (x - p[0]) * (q[1] - p[1])) *
-             (edge.whole.turn > 0 ? -1.0 : 1.0);
-    return (x - p[0]) * (q[0] - x) + (y - p[1]) * (q[1] - y);
   }
 
   std::vector<CurvedEdge> edges_;

@@ -123,6 +123,14 @@ MappedPrimitive squared_side(const std::string& name, const EvenAndOddParts& par
   return ((outer | plus) & positive) | (plus & !positive & !outer);
 }
 
+Region joining_smoothly(const Region& region) {
+  return mapped_region(region, [&](const Primitive& primitive) {
+    Primitive marked = primitive;
+    marked.joins_smoothly = !marked.selects_only;
+    return MappedPrimitive(Region(std::move(marked), region.dimension()));
+  });
+}
+
 // Whether the closed profile keeps off the axis, proved by bounds.
 bool keeps_off_axis(const Region& profile) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -171,8 +179,11 @@ Region revolution(const Region& profile, const Point& center, const Point& axis)
   require_plane(profile);
   const Meridian at = meridian(center, axis);
   const bool off_axis = keeps_off_axis(profile);
-  return mapped_region(
-      profile, [&](const Primitive& primitive) { return revolved(primitive, at, off_axis); });
+  return mapped_region(profile, [&](const Primitive& primitive) {
+    MappedPrimitive body = revolved(primitive, at, off_axis);
+    if (primitive.joins_smoothly && body.region) body.region = joining_smoothly(*body.region);
+    return body;
+  });
 }
 
 }  // namespace rfm

@@ -22,6 +22,10 @@ struct Primitive {
   /// It chooses a part and bounds nothing: its zero set meets what it helps to describe in single
   /// points at most, as the plane through the apex that chooses one nappe of a cone.
   bool selects_only = false;
+  /// Its piece of the boundary goes on in another one with a common tangent. R-functions of two
+  /// surfaces that touch change their slope from 1 to 2 + √2 in a layer that gets thinner towards
+  /// the joint, so that quotients by them are rough.
+  bool joins_smoothly = false;
 };
 
 /// A Boolean combination of primitives; a point belongs to the region where the expression is true,

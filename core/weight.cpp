@@ -195,9 +195,15 @@ std::string reason_for_product(const CombineRule& rule) {
 BooleanExpression simplified(const BooleanExpression& expression, const RegionEvaluator& region,
                              const Box& bounds) {
   BooleanExpression result = expression;
+  // A primitive that is zero on a side of the bounding box, up to rounding, may bound the region
+  // there.
+  Box around = bounds;
+  for (int axis = 0; axis < bounds.dimension; ++axis) {
+    around.low[axis] -= 1e-12 * bounds.longest_side();
+    around.high[axis] += 1e-12 * bounds.longest_side();
+  }
   for (int k = 0; k < region.primitive_count(); ++k) {
-    const Interval range = region.level(k).value_bounds(bounds);
-    // A primitive that is zero on a side of the bounding box may bound the region there.
+    const Interval range = region.level(k).value_bounds(around);
     if (range.low > 0) result = result.restricted(k, true);
     if (range.high < 0) result = result.restricted(k, false);
   }

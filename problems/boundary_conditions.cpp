@@ -1,6 +1,7 @@
 #include "problems/boundary_conditions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/boolean_simplification.hpp"
@@ -161,6 +162,16 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   return distance;
 }
 
+// "a, b, c and 9 more".
+std::string abridged(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
 }  // namespace
 
 std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
@@ -200,15 +211,20 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const std::optional<BooleanExpression>& regular_form) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
+  const auto joins_smoothly = [&](int primitive) {
+    return region.region().primitives()[primitive]->joins_smoothly;
+  };
   Primitives bounding, candidates;
   for (const PieceCondition& piece : conditions) bounding.insert(piece.primitive);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
     if (piece.kind == Condition::Kind::value && !piece.where && data_is_regular[i] &&
-        piece.enforcement != Enforcement::weak)
+        piece.enforcement != Enforcement::weak &&
+        (!joins_smoothly(piece.primitive) || piece.enforcement == Enforcement::structure))
       candidates.insert(piece.primitive);
   }
   const Primitives covered = prescribed_conjuncts(region, bounds, bounding, candidates).covered;
+  std::map<std::string, std::vector<std::string>> weak_pieces;  // by reason
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
     if (piece.kind != Condition::Kind::value) continue;
@@ -220,13 +236,16 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     }
     plan.weakly.push_back(piece);
     if (piece.enforcement == Enforcement::weak) continue;
-    plan.remarks.push_back(
-        "value at " + piece.name + " is enforced weakly: " +
-        (!data_is_regular[i] ? "its data are not defined and smooth in the whole domain"
-         : piece.where
-             ? "it covers a part of its piece, where a structure would lose order"
-             : "it shares a corner of the boundary's expression with another kind of condition"));
+    weak_pieces
+        [!data_is_regular[i] ? "its data are not defined and smooth in the whole domain"
+         : piece.where       ? "it covers a part of its piece, where a structure would lose order"
+         : joins_smoothly(piece.primitive)
+             ? "its piece goes on smoothly in another one, where a structure would lose order"
+             : "it shares a corner of the boundary's expression with another kind of condition"]
+            .push_back(piece.name);
   }
+  for (const auto& [reason, pieces] : weak_pieces)
+    plan.remarks.push_back("value at " + abridged(pieces) + " is enforced weakly: " + reason);
   if (plan.by_structure.empty()) return plan;
   if (regular_form && prescribe_all(plan.by_structure, bounding)) {
     plan.weight = weight(*regular_form, region, bounds, options);

@@ -33,6 +33,23 @@ const char* kind_name(Condition::Kind kind) {
   }
 }
 
+// Where no corner could be told: smooth joints of pieces, as a rule.
+void log_unresolved(const std::vector<Point>& points, int dimension, RunLog& log) {
+  if (points.empty()) return;
+  constexpr std::size_t most_shown = 4;
+  std::vector<std::string> places;
+  for (const Point& point : std::span(points).first(std::min(most_shown, points.size()))) {
+    std::vector<std::string> coordinates;
+    for (int axis = 0; axis < dimension; ++axis)
+      coordinates.push_back(fmt::format("{:.6g}", point[axis]));
+    places.push_back(fmt::format("({})", fmt::join(coordinates, ", ")));
+  }
+  log.line("note: surfaces touch or are singular near {}{}", fmt::join(places, ", "),
+           points.size() > most_shown
+               ? fmt::format(" and in {} more places", points.size() - most_shown)
+               : "");
+}
+
 // Corners of the plane; vertices and edges of space.
 void log_corners(const ScalarProblem& problem, RunLog& log) {
   const RegionEvaluator& region = problem.region();
@@ -55,9 +72,7 @@ void log_corners(const ScalarProblem& problem, RunLog& log) {
                edges.report.uncertified_length);
     if (edges.report.contact_boxes > 0) log.line("note: surfaces touch without forming an edge");
   }
-  for (const Point& point : search.unresolved)
-    log.line("note: surfaces touch or are singular near ({})",
-             fmt::join(point.begin(), point.begin() + region.dimension(), ", "));
+  log_unresolved(search.unresolved, region.dimension(), log);
 }
 
 void log_accuracy(const DomainRule& rule, RunLog& log) {
