@@ -57,6 +57,8 @@ class LevelFunction {
   bool is_quadric() const { return quadric_.has_value(); }
   /// The function as a polynomial of degree ≤ 2; null for others.
   const QuadricEvaluator* quadric() const { return quadric_ ? &*quadric_ : nullptr; }
+  /// What evaluates functions that are no quadrics; null for quadrics.
+  const Tape* tape() const { return tape_.get(); }
   /// Bounds over all of space: [0, ∞) for a square.
   const Interval& range() const { return range_; }
 

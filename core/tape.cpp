@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/scalar.hpp"
 #include "core/tape_program.hpp"
+#include "core/tape_specialization.hpp"
 
 namespace rfm {
 
@@ -76,6 +77,11 @@ Tape::Tape(Tape&&) noexcept = default;
 Tape& Tape::operator=(Tape&&) noexcept = default;
 
 int Tape::instruction_count() const { return static_cast<int>(program_->instructions.size()); }
+
+int Tape::branch_count() const {
+  return static_cast<int>(std::ranges::count_if(
+      program_->instructions, [](const Instruction& i) { return has_branches(i.operation); }));
+}
 
 const Tape::Program& Tape::with_steps() const {
   std::call_once(program_->has_steps, [this] {

@@ -80,6 +80,8 @@ class Tape {
   int order(int root) const { return orders_[root]; }
   /// Operations of the expression, as single points and bounds evaluate it.
   int instruction_count() const;
+  /// How many of them are left out where bounds decide them: what `specialised` can gain.
+  int branch_count() const;
   /// Steps in which a block is evaluated: polynomials of degree ≤ 2 take one or two.
   int step_count() const;
   const std::vector<Field>& roots() const { return roots_; }

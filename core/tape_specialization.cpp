@@ -82,6 +82,9 @@ bool is_defined_over(const Instruction& instruction, const std::vector<RangeOver
 RangeOver known_of(const Instruction& instruction, const std::vector<RangeOver>& known,
                    const Box& box) {
   RangeOver result{range_of(instruction, known, box), true};
+  result.vanishes = result.range.is_zero();  // in a box that is more than a point or a face
+  for (int axis = 0; axis < box.dimension; ++axis)
+    result.vanishes = result.vanishes && box.low[axis] < box.high[axis];
   if (instruction.operation == Operation::coordinate ||
       instruction.operation == Operation::parameter)
     return result;
@@ -110,10 +113,10 @@ Outcome truth(Truth known) {
 Outcome outcome_of(const Instruction& instruction, const std::vector<RangeOver>& ranges) {
   const auto [first, second, third] = instruction.operands;
   const auto known = [&](int operand) {
-    return operand < 0 ? RangeOver{{}, true} : ranges[operand];
+    return operand < 0 ? RangeOver{{}, true, false} : ranges[operand];
   };
-  const auto [a, a_defined] = known(first);
-  const auto [b, b_defined] = known(second);
+  const auto [a, a_defined, a_vanishes] = known(first);
+  const auto [b, b_defined, b_vanishes] = known(second);
   // The branch that an `if` does not take is not looked at.
   if (!a_defined || (!b_defined && instruction.operation != Operation::select)) return {};
   switch (instruction.operation) {
@@ -122,7 +125,7 @@ Outcome outcome_of(const Instruction& instruction, const std::vector<RangeOver>&
     case Operation::max:
       return b.high <= a.low ? one_of(first) : a.high < b.low ? one_of(second) : Outcome{};
     case Operation::multiply:
-      return a.is_zero() || b.is_zero() ? number(0) : Outcome{};
+      return a_vanishes || b_vanishes ? number(0) : Outcome{};
     case Operation::select:
       if (a.excludes_zero()) return one_of(second);
       return a.is_zero() ? one_of(third) : Outcome{};
@@ -149,6 +152,24 @@ Outcome outcome_of(const Instruction& instruction, const std::vector<RangeOver>&
 }
 
 }  // namespace
+
+bool has_branches(Operation operation) {
+  switch (operation) {
+    case Operation::min:
+    case Operation::max:
+    case Operation::select:
+    case Operation::abs:
+    case Operation::sign:
+    case Operation::step:
+    case Operation::less:
+    case Operation::less_equal:
+    case Operation::equal:
+    case Operation::floor:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::vector<RangeOver> ranges_over(const std::vector<Instruction>& instructions, const Box& box) {
   std::vector<RangeOver> ranges;

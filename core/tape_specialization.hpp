@@ -6,10 +6,14 @@
 
 namespace rfm {
 
+/// Whether bounds may decide which argument an operation comes to, or which number.
+bool has_branches(Operation operation);
+
 /// What is known of an instruction over a box.
 struct RangeOver {
-  Interval range;        ///< encloses its value where that is defined
-  bool defined = false;  ///< whether it is known to have a finite value everywhere in the box
+  Interval range;         ///< encloses its value where that is defined
+  bool defined = false;   ///< whether it is known to have a finite value everywhere in the box
+  bool vanishes = false;  ///< whether it is zero with all derivatives, where it is defined
 };
 
 /// What is known of each instruction over a box, whatever time and parameters are. Of a derivative

@@ -1,10 +1,14 @@
 #include "quadrature/surface_candidates.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 
 namespace rfm {
 namespace {
+
+// With fewer branches a tape is not specialised.
+constexpr int few_branches = 16;
 
 // What is nowhere positive is zero at most on a set of no measure, which no rule sees.
 Truth sign_of(const LevelFunction& level, const Interval& value) {
@@ -21,14 +25,25 @@ SurfaceCandidates::SurfaceCandidates(const RegionEvaluator& region,
       interfaces(interface_levels.size()) {
   std::iota(primitives.begin(), primitives.end(), 0);
   std::iota(interfaces.begin(), interfaces.end(), 0);
+  for (const int k : primitives) {
+    const Tape* const tape = region.level(k).tape();
+    if (tape && tape->branch_count() >= few_branches) shortened.push_back({k, nullptr});
+  }
 }
 
 Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluator& region,
                                 std::span<const LevelFunction> interface_levels) {
-  const auto sign_in_box = [&](const LevelFunction& level) {
-    return sign_of(level, tight ? level.bounds(box).value : level.value_bounds(box));
+  const auto sign_by = [&](const LevelFunction& level, const auto& bounds) {
+    const Interval value = tight ? bounds.bounds(box).value : bounds.value_bounds(box);
+    return sign_of(level, intersection(value, level.range()));
   };
-  for (const int k : primitives) signs[k] = sign_in_box(region.level(k));
+  const auto sign_in_box = [&](const LevelFunction& level) { return sign_by(level, level); };
+  for (const int k : primitives) {
+    const LevelFunction& level = region.level(k);
+    const auto special = std::ranges::find(shortened, k, &Shortened::primitive);
+    const bool known = special != shortened.end() && special->tape;
+    signs[k] = known ? sign_by(level, *special->tape) : sign_in_box(level);
+  }
   const BooleanExpression& expression = region.region().expression();
   const Truth inside = expression.evaluate(std::span<const Truth>(signs));
   if (inside == Truth::unknown) {
@@ -42,7 +57,23 @@ Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluato
   std::erase_if(interfaces, [&](int k) {
     return inside == Truth::no || sign_in_box(interface_levels[k]) != Truth::unknown;
   });
+  if (!tight) shorten(box, region);
   return inside;
+}
+
+void SurfaceCandidates::shorten(const Box& box, const RegionEvaluator& region) {
+  constexpr int boxes_to_wait = 3;
+  std::erase_if(shortened, [&](const Shortened& special) {
+    return std::ranges::find(primitives, special.primitive) == primitives.end();
+  });
+  for (auto& [primitive, tape, wait] : shortened) {
+    const Tape& known = tape ? *tape : *region.level(primitive).tape();
+    if (known.branch_count() < few_branches || wait-- > 0) continue;
+    auto special = std::make_shared<const Tape>(known.specialised(box));
+    const bool pays = special->branch_count() <= 0.75 * known.branch_count();
+    wait = pays ? 0 : boxes_to_wait;
+    if (pays) tape = std::move(special);
+  }
 }
 
 TruthTable SurfaceCandidates::make_table(const BooleanExpression& expression) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/region.hpp"
+#include "core/tape.hpp"
 #include "quadrature/truth_table.hpp"
 
 namespace rfm {
@@ -15,6 +17,16 @@ struct SurfaceCandidates {
   std::vector<Truth> signs;
   std::vector<int> primitives;
   std::vector<int> interfaces;
+  /// A primitive given by an expression with many branches (min, max, if, |·|).
+  struct Shortened {
+    int primitive;
+    /// Its tape without the branches that are not taken in the box; null if that leaves out little.
+    std::shared_ptr<const Tape> tape;
+    int wait = 0;  ///< boxes within boxes until the next attempt
+  };
+  /// All of these. Smaller boxes inherit the tapes, so that a long union within one expression
+  /// costs a cell what is near to it.
+  std::vector<Shortened> shortened;
 
   SurfaceCandidates() = default;
   /// Nothing known yet.
@@ -27,6 +39,9 @@ struct SurfaceCandidates {
   /// The region as a function of the primitives left, those on which it does not depend dropped.
   /// There may be at most `TruthTable::max_variables`.
   TruthTable make_table(const BooleanExpression& expression);
+
+ private:
+  void shorten(const Box& box, const RegionEvaluator& region);
 };
 
 }  // namespace rfm

@@ -32,6 +32,36 @@ TEST(CellClassification, InsideAndOutsideAreProved) {
   EXPECT_GT(decided, 30);
 }
 
+TEST(CellClassification, OfAnExpressionWithManyBranchesIsThatOfItsBoundsAsAWhole) {
+  // A union of 60 circles within one expression, and one of functions of which none can be left
+  // out.
+  const Field x = x_coordinate(), y = y_coordinate();
+  Field circles = -1.0, alike = -1.0;
+  for (int k = 0; k < 60; ++k) {
+    const double a = std::sin(17.0 * k), b = std::sin(29.0 * k + 1);
+    circles = max(circles, 0.02 - pow(x - a, 2) - pow(y - b, 2));
+    alike = max(alike, 0.5 - x * x - y * y + 1e-3 * sin(k * x + y));
+  }
+  for (const Field& field : {circles, alike}) {
+    const RegionEvaluator region(Region(Primitive{"", field, field}, 2));
+    const Grid cells = grid(1.3, 37);
+    const auto loose = classify_cells(region, cells, {}, Classification::loose);
+    int inside = 0;
+    for (int cell = 0; cell < cells.cell_count(); ++cell) {
+      const Interval range =
+          region.level(0).value_bounds(quadrature_cell(cells, cells.position(cell)));
+      const CellState expected = range.low >= 0   ? CellState::inside
+                                 : range.high < 0 ? CellState::outside
+                                                  : CellState::cut;
+      EXPECT_EQ(loose.states[cell], expected);
+      inside += expected == CellState::inside;
+    }
+    EXPECT_GT(inside, 20);
+    const auto tight = classify_cells(region, cells);
+    EXPECT_LE(tight.cut_cells.size(), loose.cut_cells.size());
+  }
+}
+
 TEST(CellClassification, CutCellsOfADiskAreThoseItsCircleMeets) {
   // Bounds of a quadric are sharp: no other cell is undecided.
   const Region region = disk(0.1, -0.07, 1);

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/polygon.hpp"
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
@@ -28,7 +29,17 @@ Field pawn() {
   return disjunction(disjunction(disjunction(body, head), collar), base);
 }
 
-// The R₀-function of a polygon: conjunctions of its edges, as for a convex one.
+// The R₀-function of a star-shaped polygon: half of its corners are not convex.
+Field star(int edges) {
+  std::vector<Point> points;
+  for (int k = 0; k < edges; ++k) {
+    const double angle = 2 * std::numbers::pi * k / edges, radius = k % 2 == 0 ? 1 : 0.9;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  return implicit(rfm::polygon(points));
+}
+
+// Conjunctions of the edges of a convex polygon, one by one.
 Field polygon(int edges) {
   Field all;
   for (int k = 0; k < edges; ++k) {
@@ -61,6 +72,11 @@ void polygon_of_1000_edges_value_and_gradient(benchmark::State& state) {
   measure_tape(state, Tape({polygon(1000)}, {1}, 2));
 }
 BENCHMARK(polygon_of_1000_edges_value_and_gradient)->Unit(benchmark::kMillisecond);
+
+void star_of_1000_edges_value_and_gradient(benchmark::State& state) {
+  measure_tape(state, Tape({star(1000)}, {1}, 2));
+}
+BENCHMARK(star_of_1000_edges_value_and_gradient)->Unit(benchmark::kMillisecond);
 
 void third_order_in_the_plane(benchmark::State& state) {
   const Field f = sin(x * y) * exp(-(x * x) - y * y) / (2 + x) + sqrt(1 + x * x * y * y);
