@@ -182,13 +182,13 @@ DynamicJet<T> quadratic_root(const DynamicJet<T>& p, const DynamicJet<T>& r, con
   const JetShape& shape = common_shape(p, r);
   DynamicJet<T> root(shape), factor(shape);
   root.c[0] = value;
-  const T divisor = p.c[0] + (value + value);
+  const T inverse = T(1.0) / (p.c[0] + (value + value));
   for (int i = 1; i < root.size; ++i) {
     const auto terms = shape.product_terms(i);
     T rest = coefficient(r, i) - value * coefficient(p, i);
     for (std::size_t k = 1; k + 1 < terms.size(); ++k)
       rest = rest - root.c[terms[k].left] * factor.c[terms[k].right];
-    root.c[i] = rest / divisor;
+    root.c[i] = rest * inverse;
     factor.c[i] = coefficient(p, i) + root.c[i];
   }
   return root;

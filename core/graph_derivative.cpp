@@ -9,6 +9,8 @@
 namespace rfm {
 namespace {
 
+Field less(const Field& a, const Field& b) { return apply(Operation::less, {a, b}); }
+
 // `regular`, but 0 where `singular` is 0: derivatives that do not exist are finite by convention.
 Field unless_zero(const Field& singular, const Field& regular) {
   return select(apply(Operation::equal, {singular, 0.0}), 0.0, regular);
@@ -38,7 +40,9 @@ Field slope(Operation operation, const Field& f, const Field& a) {
       return 1.0 + f * f;
     case Operation::asin:
     case Operation::acos: {
-      const Field rest = (1.0 - a) * (1.0 + a), inverse = unless_zero(rest, 1.0 / sqrt(rest));
+      // 1 − a² is as accurate next to ±1 as the slope is conditioned there, and so is its own
+      // slope.
+      const Field rest = 1.0 - a * a, inverse = unless_zero(rest, 1.0 / sqrt(rest));
       return operation == Operation::asin ? inverse : -inverse;
     }
     case Operation::atan:
@@ -48,13 +52,14 @@ Field slope(Operation operation, const Field& f, const Field& a) {
     case Operation::cosh:
       return sinh(a);
     case Operation::tanh:
-      return 1.0 - f * f;
+      // Far out the hyperbolic cosine overflows.
+      return select(less(abs(a), 20), pow(1.0 / cosh(a), 2.0), 4.0 * exp(-2.0 * abs(a)));
     case Operation::asinh:
-      return 1.0 / sqrt(1.0 + a * a);
+      return 1.0 / hypot(1.0, a);
     case Operation::erf:
       return 2 * std::numbers::inv_sqrtpi * exp(-(a * a));
     case Operation::abs:
-      return select(apply(Operation::less, {a, 0.0}), -1.0, 1.0);
+      return select(less(a, 0.0), -1.0, 1.0);
     case Operation::sign:
     case Operation::step:
     case Operation::floor:
@@ -65,20 +70,34 @@ Field slope(Operation operation, const Field& f, const Field& a) {
   }
 }
 
-// R₀-functions v = a + b ∓ s: ∂v/∂a = (b − v)/±s, which does not cancel; 1 where a = b = 0.
-Field r0_derivative(const Field& v, const Field& a, const Field& b, const Field& da,
-                    const Field& db, bool conjunction) {
+// aⁿ⁻¹; what the rounding of n − 1 loses is made up for.
+Field lowered_power(const Field& a, double n) {
+  const double lowered = n - 1, back = lowered - n;
+  const double lost = (n - (lowered - back)) + (-1 - back);
+  const Field power = pow(a, lowered);
+  return lost == 0 ? power : select(less(0.0, a), power + power * (lost * log(a)), power);
+}
+
+// R₀-functions a + b ∓ s: ∂/∂a = 1 ∓ a/s, which where a is the larger is b² / (s (s ± a)); 1 where
+// a = b = 0.
+Field r0_derivative(const Field& a, const Field& b, const Field& da, const Field& db,
+                    bool conjunction) {
   const Field s = hypot(a, b), corner = apply(Operation::equal, {s, 0.0});
-  const auto weight = [&](const Field& other) {
-    return select(corner, 1.0, (conjunction ? other - v : v - other) / s);
+  const auto weight = [&](const Field& own, const Field& other) {
+    const Field unit = conjunction ? own / s : -(own / s);
+    const Field small = pow(other / s, 2.0) / (1.0 + unit);
+    return select(corner, 1.0, select(less(0.5, unit), small, 1.0 - unit));
   };
-  return weight(b) * da + weight(a) * db;
+  return weight(a, b) * da + weight(b, a) * db;
 }
 
 // ∂f of the other R-functions of two arguments, which have the constant n.
 Field r_derivative(Operation operation, double n, const Field& a, const Field& b, const Field& da,
                    const Field& db) {
-  const auto norm = [&] { return pow(pow(abs(a), n) + pow(abs(b), n), 1 / n); };
+  // The p-norm is L (1 + r)^{1/n}, r = (S/L)ⁿ, L the larger of |a| and |b|, S the smaller.
+  const Field size_a = abs(a), size_b = abs(b), first = less(size_b, size_a);
+  const Field larger = select(first, size_a, size_b), smaller = select(first, size_b, size_a);
+  const Field sum = 1.0 + pow(smaller / larger, n);
   switch (operation) {
     case Operation::ralpha_conjunction:
     case Operation::ralpha_disjunction: {
@@ -90,14 +109,16 @@ Field r_derivative(Operation operation, double n, const Field& a, const Field& b
     }
     case Operation::rp_conjunction:
     case Operation::rp_disjunction: {
-      const Field size = norm();
-      const Field bent = unless_zero(size, pow(a / size, n - 1) * da + pow(b / size, n - 1) * db);
+      const Field terms = pow(a / larger, n - 1) * da + pow(b / larger, n - 1) * db;
+      const Field bent = unless_zero(larger, terms * pow(sum, 1 / n - 1));
       return operation == Operation::rp_conjunction ? da + db - bent : da + db + bent;
     }
     case Operation::rp_equivalence: {
-      const Field size = norm();
-      return unless_zero(
-          size, b * pow(abs(b) / size, n) / size * da + a * pow(abs(a) / size, n) / size * db);
+      const auto weight = [&](const Field& other, const Field& size) {
+        return other / larger * pow(size / larger, n);
+      };
+      return unless_zero(larger,
+                         (weight(b, size_b) * da + weight(a, size_a) * db) * pow(sum, -1 / n - 1));
     }
     default:
       throw InvalidArgument("no derivative is known of the operation " +
@@ -122,29 +143,31 @@ Field derivative(Operation operation, double number, const Field& f, const Field
                     select(apply(Operation::equal, {b, 1.0}), da, 0.0 * f),
                     f * (product_or_nothing(db, log(a)) + b * da / a));
     case Operation::atan2: {
-      const Field square = a * a + b * b;
-      return unless_zero(square, (b * da - a * db) / square);
+      const Field size = hypot(a, b);
+      return unless_zero(size, (b / size * da - a / size * db) / size);
     }
     case Operation::min:
-      return select(apply(Operation::less, {b, a}), db, da);
+      return select(less(b, a), db, da);
     case Operation::max:
-      return select(apply(Operation::less, {a, b}), db, da);
+      return select(less(a, b), db, da);
     case Operation::hypot:
-      return unless_zero(f, (a * da + b * db) / f);
+      return unless_zero(f, a / f * da + b / f * db);
     case Operation::mod:
-      return da - floor(a / b) * db;
+      return da - floor((a - f) / b + 0.5) * db;  // a / b itself may round to another number
     case Operation::less:
     case Operation::less_equal:
     case Operation::equal:
       return where_defined(0.0, f);
     case Operation::r0_conjunction:
-      return r0_derivative(f, a, b, da, db, true);
+      return r0_derivative(a, b, da, db, true);
     case Operation::r0_disjunction:
-      return r0_derivative(f, a, b, da, db, false);
+      return r0_derivative(a, b, da, db, false);
     case Operation::r0_exclusive_or: {
-      const Field root = sqrt(0.75 * (a - b) * (a - b) + 0.25 * (a + b) * (a + b));
-      return unless_zero(
-          root, ((2 * a - b) * da + (2 * b - a) * db) / root - 2 * (a * da + b * db) / hypot(a, b));
+      const Field size = hypot(a, b), root = hypot(std::sqrt(0.75) * (a - b), 0.5 * (a + b));
+      const auto slope = [&](const Field& own, const Field& other) {
+        return (2 * own - other) / root - 2 * (own / size);
+      };
+      return unless_zero(root, slope(a, b) * da + slope(b, a) * db);
     }
     default:
       return r_derivative(operation, number, a, b, da, db);
@@ -185,7 +208,7 @@ Field GraphDerivative::of_node(const Field& f) const {
     case Operation::integer_power:
       return node.number * pow(a, node.number - 1) * da;
     case Operation::real_power: {
-      const Field power = node.number * pow(a, node.number - 1);
+      const Field power = node.number * lowered_power(a, node.number);
       return (node.number >= 1 || node.number < 0 ? power : unless_zero(a, power)) * da;
     }
     case Operation::select:

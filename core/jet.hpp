@@ -137,7 +137,7 @@ Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
 template <class T, int N, int K>
 Jet<T, N, K> quadratic_root(const Jet<T, N, K>& p, const Jet<T, N, K>& r, const T& value) {
   Jet<T, N, K> root = Jet<T, N, K>::constant(value), factor = p;
-  const T divisor = p.c[0] + (value + value);
+  const T inverse = T(1.0) / (p.c[0] + (value + value));
   const auto solve = [&]<int i>() {
     static constexpr auto terms = jet_product_terms<N, i>();
     T rest = r.c[i] - value * p.c[i];
@@ -145,7 +145,7 @@ Jet<T, N, K> quadratic_root(const Jet<T, N, K>& p, const Jet<T, N, K>& r, const 
       ((rest = rest - root.c[terms[k + 1].left] * factor.c[terms[k + 1].right]), ...);
     }
     (std::make_index_sequence<terms.size() - 2>{});
-    root.c[i] = rest / divisor;
+    root.c[i] = rest * inverse;
     factor.c[i] = p.c[i] + root.c[i];
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) { (solve.template operator()<i + 1>(), ...); }

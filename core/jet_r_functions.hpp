@@ -9,20 +9,20 @@
 namespace rfm {
 
 /// Value and derivatives to second order of the R₀-functions a + b ∓ s, s = √(a² + b²) (upper sign:
-/// conjunction), from those of a and b: with p = 1 ∓ a/s, q = 1 ∓ b/s and w = b ∇a − a ∇b
+/// conjunction), from those of a and b: with p = 1 ∓ a/s, q = 1 ∓ b/s and w = (b ∇a − a ∇b) / s
 ///
-///     ∇ = p ∇a + q ∇b,      H = p Hₐ + q H_b ∓ w wᵀ / s³ ,
+///     ∇ = p ∇a + q ∇b,      H = p Hₐ + q H_b ∓ w wᵀ / s ,
 ///
-/// for the Hessian of √(a² + b²) is of rank one beside those of its arguments. Nothing cancels: the
-/// value is v = 2ab / (a + b ± s) where a + b has the sign of ±s, and for |a| ≤ |b| the
-/// weights p = 1 ∓ a/s, q = (a − v)/±s have absolute errors of ulps of a/s, likewise for |b| ≤ |a|.
-/// So where a = 0 and the other argument is inactive, v = a and ∇ = ∇a up to rounding of a itself,
-/// however deep such functions are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp). The
-/// functions are homogeneous, so that arguments whose squares would overflow or underflow are
-/// scaled by a power of two.
+/// for the Hessian of √(a² + b²) is of rank one beside those of its arguments. Nothing cancels:
+/// with n the argument nearer to zero and f the other one the value is n (1 ∓ n / (s + |f|)) where
+/// ±f > 0, and there the weight 1 ∓ f/s is n² / (s (s + |f|)). So where a = 0 and the other
+/// argument is inactive, v = a and ∇ = ∇a up to rounding of a itself, however deep such functions
+/// are nested. Where a = b = 0, p = q = 1 by convention (jet.hpp). The functions are homogeneous,
+/// so that arguments whose squares would overflow or underflow are scaled by a power of two.
 template <class T>
 struct R0Weights {
-  T value, p, q, curvature;  ///< curvature is ±1/s³, or 0 where s = 0
+  T value, p, q;
+  T curvature;  ///< ±1/s, or 0 where s = 0
 
   [[gnu::always_inline]] R0Weights(const T& a, const T& b, bool conjunction) {
     using std::abs, std::max;
@@ -30,40 +30,34 @@ struct R0Weights {
     const auto large = less(T(0x1p480), size), small = less(size, T(0x1p-480));
     if (any(large) || any(small)) {
       const T factor = select(large, T(0x1p-600), select(small, T(0x1p800), T(1.0)));
-      compute(a, b, factor * a, factor * b, T(1.0) / factor, conjunction);
-      curvature = factor * (factor * (factor * curvature));
+      compute(a, b, factor * a, factor * b, T(1.0) / factor, factor * size, conjunction);
+      curvature = factor * curvature;
     } else {
-      compute(a, b, a, b, T(1.0), conjunction);
+      compute(a, b, a, b, T(1.0), size, conjunction);
     }
   }
 
  private:
-  // With a and b = `back` times the scaled x and y.
+  // With a and b = `back` times the scaled x and y, of which the larger has absolute value `size`.
   [[gnu::always_inline]] void compute(const T& a, const T& b, const T& x, const T& y, const T& back,
-                                      bool conjunction) {
-    using std::abs, std::max, std::min, std::sqrt;
-    const T root = sqrt(x * x + y * y), sum = x + y;
-    const T s = conjunction ? root : -root;
-    // Where sum and s have one sign, twice the farther argument over sum + s is from 1/2 to 1.
-    const T farther = conjunction ? max(x, y) : min(x, y);
-    const T ratio = (farther + farther) / (sum + s);
-    const auto stable = less(T(0.0), conjunction ? sum : -sum);
-    const auto with = [&](const T& nearer, const T& otherwise) {
-      return select(stable, nearer * ratio, otherwise);
-    };
-    const T scaled = with(conjunction ? min(x, y) : max(x, y), sum - s);
-    value = with(conjunction ? min(a, b) : max(a, b), scaled * back);
-    const auto corner = equal(root, T(0.0));
-    const T inverse = T(1.0) / s;
-    // Of the two weights 1 − x/s and 1 − y/s = (x − v)/s, the first, of the argument nearer to
-    // zero, is exactly 1 and the second exactly 0 where x is negligible.
-    const auto first = less(abs(x), abs(y));
-    const T near = select(first, x, y);
-    const T of_near = select(corner, T(1.0), T(1.0) - near * inverse);
-    const T of_far = select(corner, T(1.0), (near - scaled) * inverse);
+                                      const T& size, bool conjunction) {
+    using std::abs, std::sqrt;
+    const auto signed_by = [&](const T& number) { return conjunction ? number : T(-number); };
+    const auto first = less(T(abs(x)), T(abs(y)));
+    const T near = select(first, x, y), far = select(first, y, x);
+    const auto stable = less(T(0.0), signed_by(far));
+    const T root = sqrt(x * x + y * y);
+    const T inverse = select(equal(root, T(0.0)), T(0.0), T(1.0) / root);
+    const T part = near / (root + size);
+    const T ratio = T(1.0) - signed_by(part);
+    value = select(stable, T(select(first, a, b) * ratio), T((x + y - signed_by(root)) * back));
+    // The weight of the nearer argument is exactly 1 and the other one exactly 0 where it is
+    // negligible.
+    curvature = signed_by(inverse);
+    const T of_near = T(1.0) - near * curvature;
+    const T of_far = select(stable, T(near * inverse * part), T(T(1.0) - far * curvature));
     p = select(first, of_near, of_far);
     q = select(first, of_far, of_near);
-    curvature = select(corner, T(0.0), inverse * inverse * inverse);
   }
 };
 
@@ -77,7 +71,7 @@ template <bool conjunction, class T, int N, int K>
   const R0Weights<T> at(a0, b0, conjunction);
   result(0, at.value);
   if constexpr (K >= 1) [&]<std::size_t... axis>(std::index_sequence<axis...>) {
-      const std::array<T, N> w{(b0 * a(1 + axis) - a0 * b(1 + axis))...};
+      const std::array<T, N> w{(at.curvature * (b0 * a(1 + axis) - a0 * b(1 + axis)))...};
       (result(1 + axis, T(at.p * a(1 + axis) + at.q * b(1 + axis))), ...);
       if constexpr (K == 2) {
         const std::array<T, N> bent{(at.curvature * w[axis])...};
@@ -115,8 +109,9 @@ Number r0_composed(const Number& a, const Number& b) {
                               [](const auto& x, const auto& y) { return r0_conjunction(x, y); });
       return result;
     } else {
-      Number result = of_degree_one(
-          a, b, [](const Number& x, const Number& y) { return ThirdSide(x, y, 0).difference(0); });
+      Number result = of_degree_one(a, b, [](const Number& x, const Number& y, T&) {
+        return ThirdSide(x, y, 0).difference(0);
+      });
       result.c[0] = R0Weights<T>(a.c[0], b.c[0], true).value;
       return result;
     }

@@ -11,15 +11,22 @@ namespace rfm {
 
 /// f(a, b) for a function of degree one, f(c a, c b) = c f(a, b), c > 0, to which arguments far
 /// from 1 in size are brought by a power of two: f(a, b) = c f(a / c, b / c), with the derivatives
-/// taken by x / c. So powers of the arguments neither overflow nor underflow.
+/// taken by x / c. So powers of the arguments neither overflow nor underflow. `function(a, b, m)`
+/// gives besides a number m, of which the value of f is its value + m S, S the argument nearer to
+/// zero, which may be too small to be scaled. Not for bounds.
 template <class T, int N, int K>
 Jet<T, N, K> of_degree_one(const Jet<T, N, K>& a, const Jet<T, N, K>& b, const auto& function) {
-  if constexpr (!is_bound<T>) {
-    const T size = extreme_size(a.c[0], b.c[0]);
-    if (any(less(size, T(1.0))) || any(less(T(1.0), size)))
-      return stretched(function(stretched(a, size), stretched(b, size)), T(T(1.0) / size));
-  }
-  return function(a, b);
+  const T size = extreme_size(a.c[0], b.c[0]);
+  T of_smaller = T(0.0);
+  Jet<T, N, K> result;
+  if (any(less(size, T(1.0))) || any(less(T(1.0), size)))
+    result =
+        stretched(function(stretched(a, size), stretched(b, size), of_smaller), T(T(1.0) / size));
+  else
+    result = function(a, b, of_smaller);
+  const T smaller = select(farther_from_zero(a.c[0], b.c[0]), b.c[0], a.c[0]);
+  result.c[0] = result.c[0] + of_smaller * smaller;
+  return result;
 }
 
 /// The third side of a triangle, √(a² + b² − 2αab), −1 ≤ α ≤ 1, as |L| − ασS + w with L the
@@ -73,7 +80,7 @@ Jet<T, N, K> hypot(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   if constexpr (is_bound<T>) {
     return sqrt(square(a) + square(b));
   } else {
-    return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+    return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T&) {
       const ThirdSide side(x, y, 0);
       Jet<T, N, K> result = select(side.positive, side.larger, -side.larger) + side.rest;
       result.c[0] = side.root;

@@ -5,6 +5,7 @@
 #include "core/jet.hpp"
 #include "core/jet_functions.hpp"
 #include "core/jet_piecewise.hpp"
+#include "core/jet_powers.hpp"
 #include "core/jet_r_functions.hpp"
 #include "core/jet_third_side.hpp"
 #include "core/operations.hpp"

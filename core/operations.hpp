@@ -92,7 +92,7 @@ namespace rfm {
     a + b + pow(pow(fabs(a), number) + pow(fabs(b), number), 1 / number),                          \
     "a + b + (a^n + b^n)^(1/n), n even", "", "a = b = 0")                                          \
   X(rp_equivalence, "rp_equivalence", 2, 1, rp_equivalence(a, b, static_cast<int>(number)),        \
-    a == 0 || b == 0 ? 0 : a * b / pow(pow(fabs(a), number) + pow(fabs(b), number), 1 / number),   \
+    a == 0 && b == 0 ? 0 : a * b / pow(pow(fabs(a), number) + pow(fabs(b), number), 1 / number),   \
     "a b / (|a|^n + |b|^n)^(1/n), n whole; 0 at a = b = 0", "", "a = b = 0; a b = 0 where n is odd")
 // clang-format on
 

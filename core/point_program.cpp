@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scalar.hpp"
 #include "core/tape_polynomial.hpp"
 #include "core/tape_program.hpp"
 
@@ -12,8 +13,6 @@ namespace {
 
 // Value, ∂x, ∂y, ∂z.
 using Slopes [[gnu::vector_size(4 * sizeof(double))]] = double;
-
-inline double reciprocal_or_zero(double a) { return a == 0 ? 0.0 : 1 / a; }
 
 // The rules for three kinds of number.
 struct Plain {
@@ -259,7 +258,7 @@ typename Rules::Number PointProgram::run(const Rules& rules, const Point& point)
       }
       case Code::sqrt: {
         const double root = std::sqrt(Rules::value(a));
-        *next = Rules::chain(a, root, 0.5 * root * reciprocal_or_zero(Rules::value(a)));
+        *next = Rules::chain(a, root, root == 0 ? 0.0 : 0.5 / root);
         break;
       }
       case Code::exp: {
@@ -268,7 +267,8 @@ typename Rules::Number PointProgram::run(const Rules& rules, const Point& point)
         break;
       }
       case Code::log:
-        *next = Rules::chain(a, std::log(Rules::value(a)), reciprocal_or_zero(Rules::value(a)));
+        *next = Rules::chain(a, std::log(Rules::value(a)),
+                             Rules::value(a) < 0 ? NAN : 1 / Rules::value(a));
         break;
       case Code::sin:
         *next = Rules::chain(a, std::sin(Rules::value(a)), std::cos(Rules::value(a)));
@@ -277,16 +277,17 @@ typename Rules::Number PointProgram::run(const Rules& rules, const Point& point)
         *next = Rules::chain(a, std::cos(Rules::value(a)), -std::sin(Rules::value(a)));
         break;
       case Code::hypot: {
-        const Number sum = Rules::multiply(a, a) + Rules::multiply(b, b);
-        const double root = std::sqrt(Rules::value(sum));
-        *next = Rules::chain(sum, root, 0.5 * root * reciprocal_or_zero(Rules::value(sum)));
+        const double root = std::hypot(Rules::value(a), Rules::value(b));
+        const double part_a = root == 0 ? 0.0 : Rules::value(a) / root;
+        const double part_b = root == 0 ? 0.0 : Rules::value(b) / root;
+        *next = Rules::chain(part_a * a + part_b * b, root, 1);
         break;
       }
       case Code::min:
-        *next = Rules::value(b) < Rules::value(a) ? b : a;
+        *next = less_or_nan(Rules::value(b), Rules::value(a)) ? b : a;
         break;
       case Code::max:
-        *next = Rules::value(a) < Rules::value(b) ? b : a;
+        *next = greater_or_nan(Rules::value(b), Rules::value(a)) ? b : a;
         break;
     }
     ++next;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/jet_powers.hpp"
 #include "core/jet_r_functions.hpp"
 #include "core/jet_third_side.hpp"
 
@@ -11,15 +12,6 @@ namespace rfm {
 // that R-conjunctions and disjunctions increase in both arguments: the range over a box of
 // arguments is that between two corners.
 
-/// 2ab / (a + b + root): what a + b − root is for a + b > 0, up to a constant factor, where
-/// (a + b)² − root² is a multiple of ab. The larger factor is divided first: nothing underflows.
-template <class T>
-T quotient_form(const T& a, const T& b, const T& root) {
-  const auto first = farther_from_zero(a, b);
-  const T larger = select(first, a, b), smaller = select(first, b, a);
-  return T(2.0) * smaller * (larger / (a + b + root));
-}
-
 /// The third side √(a² + b² − 2αab) for bounds, as √(½(1 + α)(a − b)² + ½(1 − α)(a + b)²).
 template <class T, int N, int K>
 Jet<T, N, K> third_side(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alpha) {
@@ -27,8 +19,8 @@ Jet<T, N, K> third_side(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alp
                scaled(T(std::sqrt(0.5 * (1 - alpha))), a + b));
 }
 
-/// The Rα-conjunction (a + b − √(a² + b² − 2αab)) / (1 + α), its value taken as 2ab / (a + b + √…)
-/// for a + b > 0.
+/// The Rα-conjunction (a + b − √(a² + b² − 2αab)) / (1 + α), its value for a + b > 0 taken as
+/// 2ab / (a + b + √…), the larger factor divided first.
 template <class T, int N, int K>
 Jet<T, N, K> ralpha_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, double alpha) {
   const T inverse(1 / (1 + alpha));
@@ -39,12 +31,13 @@ Jet<T, N, K> ralpha_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, do
     });
     return result;
   } else {
-    return of_degree_one(a, b, [&](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+    return of_degree_one(a, b, [&](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const ThirdSide side(x, y, alpha);
       Jet<T, N, K> result = scaled(inverse, side.difference(alpha));
-      const T x0 = x.c[0], y0 = y.c[0];
-      result.c[0] = select(less(T(0.0), x0 + y0), quotient_form(x0, y0, side.root),
-                           T((x0 + y0 - side.root) * inverse));
+      const T sum = x.c[0] + y.c[0];
+      const auto stable = less(T(0.0), sum);
+      of_smaller = select(stable, T(T(2.0) * (side.larger.c[0] / (sum + side.root))), T(0.0));
+      result.c[0] = select(stable, T(0.0), T((sum - side.root) * inverse));
       return result;
     });
   }
@@ -66,13 +59,19 @@ Jet<T, N, K> r0_exclusive_or(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
     result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], 1.0718);
     return result;
   } else {
-    return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+    return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const ThirdSide acute(x, y, 0.5), right(x, y, 0);
-      // The longer sides of the two triangles drop out.
-      Jet<T, N, K> result = select(right.positive, -right.smaller, right.smaller) +
-                            scaled(T(2.0), acute.rest - right.rest);
-      const T &larger = right.larger.c[0], &smaller = right.smaller.c[0];
-      result.c[0] = T(-2.0) * smaller * (larger / (acute.root + right.root));
+      // The longer sides of the two triangles drop out, and of the rests w the difference d is
+      // known: d (w + w′ + 2|L|) = ¼S² − σS w, w of the acute one.
+      const Jet<T, N, K> side = select(right.positive, right.smaller, -right.smaller);
+      const Jet<T, N, K> size = select(right.positive, right.larger, -right.larger);
+      const Jet<T, N, K> divisor = acute.rest + right.rest + scaled(T(2.0), size);
+      const Jet<T, N, K> rest = side * (scaled(T(0.25), side) - acute.rest) /
+                                select(right.corner, Jet<T, N, K>(1.0), divisor);
+      Jet<T, N, K> result = -side - scaled(T(2.0), rest);
+      of_smaller = select(right.corner, T(0.0),
+                          T(T(-2.0) * (right.larger.c[0] / (acute.root + right.root))));
+      result.c[0] = T(0.0);
       return select(right.corner, Jet<T, N, K>(), result);
     });
   }
@@ -130,12 +129,15 @@ Jet<T, N, K> rp_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
     return result;
   } else {
     if (p == 2) return r0_conjunction(a, b);  // the same, with fewer roundings
-    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const PNorm norm(x, y, p);
-      const Jet<T, N, K> far = norm.smaller + scaled(T(2.0), norm.larger);
-      const Jet<T, N, K> result =
-          select(norm.positive, norm.smaller, far) - norm.excess * norm.size;
-      return select(norm.corner, x + y, result);
+      const Jet<T, N, K> rest = norm.excess * norm.size;
+      Jet<T, N, K> result =
+          norm.smaller + select(norm.positive, -rest, scaled(T(2.0), norm.larger) - rest);
+      result = select(norm.corner, x + y, result);
+      of_smaller = T(1.0);
+      result.c[0] = select(norm.positive, T(-rest.c[0]), T(T(2.0) * norm.larger.c[0] - rest.c[0]));
+      return result;
     });
   }
 }
@@ -154,10 +156,12 @@ Jet<T, N, K> rp_equivalence(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
     result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], 1.0);
     return result;
   } else {
-    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y) {
+    return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const PNorm norm(x, y, p);
-      const Jet<T, N, K> result =
-          select(norm.positive, norm.smaller, -norm.smaller) / (norm.excess + Jet<T, N, K>(1.0));
+      const Jet<T, N, K> length = norm.excess + Jet<T, N, K>(1.0);
+      Jet<T, N, K> result = select(norm.positive, norm.smaller, -norm.smaller) / length;
+      of_smaller = select(norm.positive, T(T(1.0) / length.c[0]), T(T(-1.0) / length.c[0]));
+      result.c[0] = T(0.0);
       return select(norm.corner, Jet<T, N, K>(), result);
     });
   }

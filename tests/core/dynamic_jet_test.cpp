@@ -116,40 +116,6 @@ TEST_P(JetsOfOrder, DerivativesFollowTheChainRule) {
   }
 }
 
-template <int N, int K>
-void expect_same_as_compiled() {
-  using Compiled = Jet<double, N, K>;
-  const JetShape& shape = JetShape::get(N, K);
-  ASSERT_EQ(shape.size(), Compiled::size);
-  for (const Row& row : all_rows())
-    for (const double value : {-0.7, 0.3, 0.9}) {
-      const Number a = random_jet(shape, value), b = random_jet(shape, 0.6),
-                   c = random_jet(shape, -1);
-      std::array<Compiled, 3> arguments;
-      for (int i = 0; i < Compiled::size; ++i) {
-        EXPECT_EQ(shape.exponent(i), (JetTables<N, K>::exponents[i]));
-        arguments[0].c[i] = a.c[i], arguments[1].c[i] = b.c[i], arguments[2].c[i] = c.c[i];
-      }
-      const Compiled expected = row(arguments[0], arguments[1], arguments[2]);
-      const Number found = row(a, b, c);
-      double scale = 0;
-      for (int i = 0; i < Compiled::size; ++i) {
-        scale = std::max(scale, std::fabs(expected.c[i]));
-        if (std::isnan(expected.c[i]))
-          EXPECT_TRUE(std::isnan(coefficient(found, i))) << row.identifier;
-        else
-          EXPECT_NEAR(coefficient(found, i), expected.c[i], 1e-14 * scale)
-              << row.identifier << " " << i;
-      }
-    }
-}
-
-TEST(DynamicJet, EveryOperationAgreesWithCompiledJets) {
-  expect_same_as_compiled<1, 3>();
-  expect_same_as_compiled<2, 4>();
-  expect_same_as_compiled<3, 3>();
-}
-
 TEST(DynamicJet, ExponentialOfSineOfProductHasItsDerivativesToOrderEight) {
   // With g(t) = exp(sin t) and t = x y:  ∂ₓⁱ∂ᵧʲ g = Σₖ C(i,k) j!/(j−k)! x^{j−k} y^{i−k}
   // g^{(i+j−k)}, and g^{(n+1)} = Σₘ C(n,m) cos^{(m)} g^{(n−m)}.

@@ -1,5 +1,5 @@
 #include "core/jet.hpp"
-#include "core/jet_functions.hpp"
+#include "core/jet_powers.hpp"
 #include "core/jet_piecewise.hpp"
 #include "core/jet_r_functions.hpp"
 

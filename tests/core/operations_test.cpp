@@ -5,12 +5,11 @@
 #include <random>
 #include <set>
 
-#include "core/tape.hpp"
-#include "core/tape_program.hpp"
+#include "core/box.hpp"
 #include "tests/core/operation_rows.hpp"
 
-// One suite over every row of the table and every evaluator: scalar jets, SIMD blocks of tapes,
-// intervals, Taylor bounds.
+// Bounds of every row of the table: what they enclose and how tight they are. Values and derivatives
+// are the matter of conformance_test.cpp.
 namespace rfm {
 namespace {
 
@@ -29,121 +28,6 @@ TEST(OperationTable, NamesAreUniqueAndFindTheirRows) {
   }
   EXPECT_EQ(find_operation("sine"), nullptr);
   EXPECT_EQ(find_operation(Operation::coordinate), nullptr);
-}
-
-// Scalar jets and SIMD blocks.
-
-// Both not a number, or equal up to `tolerance`.
-bool agree(double a, double b, double tolerance) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return a == b || std::fabs(a - b) <= tolerance;
-}
-
-// By how much the coefficients of a row change with the point, Σ |x_i ∂c/∂x_i|: the other part of
-// their condition, which counts where a derivative passes through zero.
-std::vector<double> sensitivities(const Row& row, int variables, int order, const Point& point) {
-  const JetShape& shape = JetShape::get(variables, order + 1);
-  const auto variable = [&](int axis) {
-    return axis < variables ? DynamicJet<double>::variable(shape, axis, point[axis])
-                            : DynamicJet<double>(0.0);
-  };
-  const DynamicJet<double> x = variable(0), y = variable(1), jet = row(x, y, x * y);
-  std::vector<double> result(shape.size(order));
-  for (std::size_t i = 0; i < result.size(); ++i)
-    for (int axis = 0; axis < variables; ++axis) {
-      const double change = point[axis] * (shape.exponent(i)[axis] + 1) *
-                            coefficient(jet, shape.raised(axis, static_cast<int>(i)));
-      if (std::isfinite(change)) result[i] += std::fabs(change);
-    }
-  return result;
-}
-
-Field applied(const Row& row) {
-  const Field x = x_coordinate(), y = y_coordinate();
-  std::vector<Field> arguments{x, y, x * y};
-  const OperationRow& entry = *find_operation(row.operation);
-  arguments.resize(entry.arity);
-  return apply(row.operation, arguments,
-               entry.numbers ? std::optional<double>(row.number) : std::nullopt);
-}
-
-// Values and derivatives of one operation in a block of a tape against those of scalar jets.
-template <int N, int K>
-void expect_block_equals_scalar(const Row& row, const std::vector<Point>& points) {
-  using Number = Jet<double, N, K>;
-  const Tape tape({applied(row)}, {K}, N);
-  Tape::Workspace workspace(tape);
-  for (std::size_t first = 0; first < points.size(); first += Tape::block_size) {
-    const int count =
-        static_cast<int>(std::min<std::size_t>(Tape::block_size, points.size() - first));
-    std::array<std::vector<double>, 3> coordinates;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < count; ++i) coordinates[axis].push_back(points[first + i][axis]);
-    tape.evaluate(
-        {.coordinates = {coordinates[0].data(), coordinates[1].data(), coordinates[2].data()},
-         .count = count},
-        workspace);
-    for (int i = 0; i < count; ++i) {
-      const Point& point = points[first + i];
-      const Number x = Number::variable(0, point[0]);
-      const Number y = N > 1 ? Number::variable(N > 1 ? 1 : 0, point[1]) : Number(0.0);
-      const Number expected = row(x, y, x * y);
-      const std::vector<double> sensitivity = sensitivities(row, N, K, point);
-      // Coefficients of one degree share their rounding. In 1D y is 0, where some R-functions are
-      // linear: their derivatives vanish as differences of those of roots, which are of this size.
-      const auto least_scale = [&](int order) {
-        return N == 1 && order > 0 ? std::pow(std::min(1.0, std::fabs(point[0])), 1 - order) : 0;
-      };
-      double scale = 0;
-      for (int k = 0; k < Number::size; ++k) {
-        if (k == 0 ||
-            degree(JetTables<N, K>::exponents[k]) != degree(JetTables<N, K>::exponents[k - 1]))
-          scale = least_scale(degree(JetTables<N, K>::exponents[k]));
-        scale = std::max(scale, std::fabs(expected.c[k]));
-        for (int other = k; other < Number::size; ++other)
-          if (degree(JetTables<N, K>::exponents[other]) == degree(JetTables<N, K>::exponents[k]))
-            scale = std::max(scale, std::fabs(expected.c[other]));
-        const double found = workspace.coefficient(0, k)[i];
-        constexpr double ulp = std::numeric_limits<double>::epsilon();
-        EXPECT_TRUE(agree(found, expected.c[k], 8e-15 * scale + 8 * ulp * sensitivity[k]))
-            << "coefficient " << k << " at " << point[0] << ", " << point[1] << ": block " << found
-            << ", scalar " << expected.c[k];
-      }
-    }
-  }
-}
-
-TEST_P(EveryOperation, BlocksEqualScalarsAtNastyArguments) {
-  constexpr double pi = std::numbers::pi, tiny = std::numeric_limits<double>::denorm_min();
-  const double nasty[] = {0.0,  -0.0,  tiny, -tiny, 1e-310, 1e-200, -1e-160,   1e-8,        0.5,
-                          1,    -1,    1.5,  -2,    pi / 2, pi,     -1.5 * pi, 100 * pi,    49,
-                          1e10, -1e15, 1e22, 1e150, 1e300,  -1e300, INFINITY,  std::nan("")};
-  std::vector<Point> points;
-  const bool is_unary = find_operation(GetParam().operation)->arity == 1;
-  for (const double x : nasty)
-    for (const double y : nasty)
-      if (!is_unary || y == 0.5) points.push_back({x, y, 0});
-  // Polynomials are evaluated in closed form, which does not know the rules for infinity.
-  if (GetParam().operation == Operation::integer_power)
-    std::erase_if(points, [](const Point& point) { return !std::isfinite(point[0]); });
-  expect_block_equals_scalar<2, 0>(GetParam(), points);
-  expect_block_equals_scalar<2, 1>(GetParam(), points);
-}
-
-TEST_P(EveryOperation, BlocksEqualScalarsInEveryDimensionAndOrder) {
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> uniform(-3, 3), small(-1, 1);
-  std::vector<Point> points;
-  for (int i = 0; i < 50; ++i)
-    points.push_back({uniform(generator), uniform(generator), uniform(generator)});
-  for (int i = 0; i < 51; ++i)  // a block that is not full at the end
-    points.push_back({small(generator), small(generator), small(generator)});
-  const auto orders = [&]<int N, std::size_t... K>(std::index_sequence<K...>) {
-    (expect_block_equals_scalar<N, K>(GetParam(), points), ...);
-  };
-  orders.operator()<1>(std::make_index_sequence<highest_compiled_order(1) + 1>{});
-  orders.operator()<2>(std::make_index_sequence<highest_compiled_order(2) + 1>{});
-  orders.operator()<3>(std::make_index_sequence<highest_compiled_order(3) + 1>{});
 }
 
 // Bounds. A place is a box with two functions of its coordinates that become the arguments.

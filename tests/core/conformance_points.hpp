@@ -1,0 +1,20 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "tests/core/conformance_evaluators.hpp"
+
+namespace rfm {
+
+/// The rows of the table, each with all of a list of numbers that it takes: new rows join by
+/// themselves.
+std::vector<Row> conformance_rows();
+
+/// Arguments that are nasty for some operation: zeros of both signs, denormals, ±1e300, ends of
+/// domains, multiples of π/2, whole numbers and the neighbours of all of these; and among them, at
+/// all scales, random ones, equal ones and nearly equal ones. The first are the same for every
+/// count.
+std::vector<Arguments> nasty_arguments(int arity, int count, std::mt19937_64& generator);
+
+}  // namespace rfm

@@ -1,0 +1,213 @@
+#include "tests/core/conformance_evaluators.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <random>
+
+#include "tests/core/conformance_points.hpp"
+
+// One suite for every row of the table of operations and every evaluator, at nasty arguments:
+// values and derivatives against power series of hundreds of digits, which know the definition of
+// the operation but none of the rules.
+//
+// The tolerance is 8 ulp of the condition: |found − F| ≤ 8 u C, u = 2⁻⁵³, with the coefficients F
+// and the conditions C of `Expected` (operation_truth.hpp): what changes of u of the values of the
+// arguments and of the coefficients of the operation explain. From degree 4 on a coefficient is a
+// sum of products of many lower ones, which cancel for arguments of equal size: each degree more
+// may lose another digit in base two. The node by node derivatives of slots are differences of
+// those of the parts of a definition: accurate to 32 ulp with respect to the largest coefficient of
+// their degree.
+//
+// Where the operation is not defined no result is a finite number, of any degree. Where it is not
+// smooth derivatives are a convention (core/jet.hpp), and finite. `Expected` says when overflow
+// excuses a result.
+namespace rfm {
+namespace {
+
+class Conformance : public testing::TestWithParam<Row> {};
+INSTANTIATE_TEST_SUITE_P(OperationTable, Conformance, testing::ValuesIn(conformance_rows()),
+                         [](const auto& info) { return info.param.identifier; });
+
+constexpr long double unit = 0x1p-53L;
+
+std::string text_of(const Arguments& at) {
+  char text[100];
+  std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", at[0], at[1], at[2]);
+  return text;
+}
+
+long double tolerance(const Expected& expected, int degree) {
+  return 8 * unit * expected.condition * (degree > 3 ? 1 << (degree - 3) : 1) +
+         (degree + 1) * 64 * expected.least;
+}
+
+// For coefficients that are accurate to 32 ulp with respect to the largest of their degree.
+void share_conditions(std::vector<Expected>& coefficients, int variables) {
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const int degree = jet_degree(variables, static_cast<int>(i));
+    const int end = jet_size(variables, degree);
+    for (int k = static_cast<int>(i) + 1; k < end; ++k)
+      coefficients[i].condition = std::max(coefficients[i].condition, coefficients[k].condition);
+    if (i > 0 && jet_degree(variables, static_cast<int>(i) - 1) == degree)
+      coefficients[i].condition =
+          std::max(coefficients[i].condition, coefficients[i - 1].condition);
+  }
+  for (Expected& coefficient : coefficients) coefficient.condition *= 4;
+}
+
+// What is wrong with a coefficient, or nothing.
+std::string objection(const OperationTruth& truth, const Expected& expected, int degree,
+                      double found) {
+  if (!truth.is_defined) return std::isfinite(found) ? "the operation is not defined" : "";
+  if (!std::isfinite(found) && expected.overflows) return "";
+  if (degree > 0 && !truth.is_smooth)
+    return std::isfinite(found) ? "" : "conventional derivatives are finite";
+  if (truth.is_cut || !expected.is_known) return "";
+  const long double error = std::fabs(found - expected.value);
+  if (error <= tolerance(expected, degree)) return "";
+  char text[200];
+  std::snprintf(text, sizeof text, "not %.17Lg, an error of %.3Lg ulp of the condition %.3Lg",
+                expected.value, error / (unit * expected.condition), expected.condition);
+  return text;
+}
+
+// The jets of one evaluator at all points; returns how many coefficients were compared.
+void expect_conformance(const Row& row, const Evaluator& evaluator, const ArgumentShape& shape,
+                        const std::vector<Arguments>& points,
+                        const std::vector<OperationTruth>& truths) {
+  if (!evaluator.serves(row, shape)) return;
+  const Composition composition(shape, find_operation(row.operation)->arity);
+  const auto jets = evaluator.jets(row, shape, points);
+  int wrong = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<Expected> expected = composition(truths[i]);
+    if (evaluator.shares_rounding) share_conditions(expected, shape.variables);
+    for (std::size_t k = 0; k < jets[i].size(); ++k) {
+      const int degree = jet_degree(shape.variables, static_cast<int>(k));
+      const std::string wrong_here = objection(truths[i], expected[k], degree, jets[i][k]);
+      if (wrong_here.empty() || ++wrong > 3) continue;
+      ADD_FAILURE() << row.identifier << ", number " << row.number << ", by " << evaluator.name
+                    << " in " << shape.variables << " variables to order " << shape.order
+                    << (shape.is_own ? "" : ", of polynomials") << ": coefficient " << k << " at "
+                    << text_of(points[i]) << " is " << testing::PrintToString(jets[i][k]) << ": "
+                    << wrong_here;
+    }
+  }
+}
+
+// Shapes of arguments with values at so many points: to the order of compiled kernels and beyond.
+struct Extent {
+  int points;
+  int highest;
+  std::vector<int> variables;  ///< 0 for as many as the operation has arguments
+  bool own;
+};
+
+void expect_conformance(const Row& row, const Extent& extent, unsigned seed) {
+  const int arity = find_operation(row.operation)->arity;
+  std::mt19937_64 generator(seed);
+  const std::vector<Arguments> points = nasty_arguments(arity, extent.points, generator);
+  std::vector<OperationTruth> truths;
+  for (const Arguments& arguments : points)
+    truths.push_back(truth_of(row, arguments, extent.highest));
+  for (const int variables : extent.variables)
+    for (int order = 0; order <= extent.highest; ++order) {
+      const int count = variables > 0 ? variables : arity;
+      const ArgumentShape shape =
+          extent.own ? ArgumentShape::own(count, order) : ArgumentShape::mixed(count, order);
+      for (const Evaluator& evaluator : all_evaluators())
+        expect_conformance(row, evaluator, shape, points, truths);
+    }
+}
+
+TEST_P(Conformance, IsMetAtNastyArguments) {
+  expect_conformance(GetParam(), {64, 2, {0}, true}, 1);
+}
+TEST_P(Conformance, IsMetByPolynomialsInOneToFourVariables) {
+  expect_conformance(GetParam(), {12, 3, {1, 2, 3, 4}, false}, 2);
+}
+TEST_P(Conformance, IsMetToOrderEight) {
+  expect_conformance(GetParam(), {6, 8, {0}, true}, 3);
+  expect_conformance(GetParam(), {2, 6, {2}, false}, 4);
+}
+
+TEST(LongConformance, OfEveryOperation) {
+  for (const Row& row : conformance_rows()) {
+    expect_conformance(row, {1000, 2, {0, 3}, true}, 5);
+    expect_conformance(row, {200, 4, {1, 2, 3, 4}, false}, 6);
+    expect_conformance(row, {100, 8, {0}, true}, 7);
+    expect_conformance(row, {10, 8, {1, 2, 3, 4}, false}, 8);
+  }
+}
+
+// Arguments that are no finite numbers: values as the definition has them in long double.
+long double definition(const Row& row, long double a, long double b, long double c) {
+  using std::pow, std::fabs, std::sqrt, std::cbrt, std::exp, std::log, std::sin, std::cos, std::tan,
+      std::asin, std::acos, std::atan, std::atan2, std::sinh, std::cosh, std::tanh, std::asinh,
+      std::erf, std::hypot, std::floor;
+  const long double number = row.number;
+  switch (row.operation) {
+#define RFM_REFERENCE(id, name, arity, numbers, rule, reference, ...) \
+  case Operation::id:                                                 \
+    return static_cast<long double>(reference);
+    RFM_OPERATIONS(RFM_REFERENCE)
+#undef RFM_REFERENCE
+    default:
+      return std::nan("");
+  }
+}
+
+TEST_P(Conformance, WhatIsNotANumberStaysSo) {
+  const Row& row = GetParam();
+  const int arity = find_operation(row.operation)->arity;
+  std::vector<Arguments> points;
+  for (const double other : {0.0, -1.0, 2.5}) {
+    points.push_back({std::nan(""), other, 0.5});
+    if (arity > 1) points.push_back({other, std::nan(""), 0.5});
+  }
+  for (const Evaluator& evaluator : all_evaluators())
+    for (int order = 0; order <= 2; ++order) {
+      const ArgumentShape shape = ArgumentShape::own(arity, order);
+      if (!evaluator.serves(row, shape)) continue;
+      const auto jets = evaluator.jets(row, shape, points);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& [a, b, c] = points[i];
+        // Only the branch of an `if` that is not taken may hide it.
+        const bool hidden = row.operation == Operation::select && !std::isnan(a) &&
+                            !std::isnan(definition(row, a, b, c));
+        EXPECT_EQ(std::isnan(jets[i][0]), !hidden)
+            << row.identifier << " by " << evaluator.name << " at " << text_of(points[i]);
+      }
+    }
+}
+
+TEST_P(Conformance, InfinityHasItsLimitInEveryEvaluator) {
+  const Row& row = GetParam();
+  const int arity = find_operation(row.operation)->arity;
+  std::vector<Arguments> points;
+  for (const double other : {1.0, -2.5, 0.0})
+    for (const double infinite : {INFINITY, -INFINITY}) {
+      points.push_back({infinite, other, 0.5});
+      if (arity > 1) points.push_back({other, infinite, 0.5});
+    }
+  for (const Evaluator& evaluator : all_evaluators())
+    for (int order = 0; order <= 2; ++order) {
+      const ArgumentShape shape = ArgumentShape::own(arity, order);
+      if (!evaluator.serves(row, shape)) continue;
+      const auto jets = evaluator.jets(row, shape, points);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& [a, b, c] = points[i];
+        const auto exact = static_cast<double>(definition(row, a, b, c));
+        // No number is safe, it is reported; the definition may have no limit: ∞ − ∞.
+        if (std::isnan(jets[i][0]) || std::isnan(exact)) continue;
+        EXPECT_TRUE(jets[i][0] == exact ||
+                    std::fabs(jets[i][0] - exact) <= 1e-15 * std::fabs(exact))
+            << row.identifier << " by " << evaluator.name << " at " << text_of(points[i]) << ": "
+            << jets[i][0] << ", not " << exact;
+      }
+    }
+}
+
+}  // namespace
+}  // namespace rfm

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tests/core/operation_rows.hpp"
+
+namespace rfm {
+
+/// What an operation truly is at a point: the Taylor coefficients f_α of its definition (the
+/// `reference` of the table, in power series of 700 digits) in its own arguments, and what they are
+/// conditioned like.
+struct OperationTruth {
+  int arity = 0, order = 0;
+  bool is_defined = false;  ///< the value is a finite number
+  bool is_smooth = false;   ///< else derivatives are a convention: finite where the value is
+  bool is_cut = false;      ///< the sign of a zero decides about the value
+  std::vector<long double> coefficients;
+  /// w_α = |f_α| + Σᵢ |aᵢ| (αᵢ + 1) |f_{α+eᵢ}|: how much f_α changes, in units of a relative change
+  /// of itself and of the values aᵢ of the arguments (not below that of a normal number).
+  std::vector<long double> weights;
+  std::vector<bool> is_known;      ///< whether the digits sufficed
+  std::vector<long double> least;  ///< by degree: see `Expected`
+  std::vector<bool> overflows;     ///< by degree: see `Expected`
+};
+
+OperationTruth truth_of(const Row& row, const std::array<double, 3>& arguments, int order);
+
+/// The arguments of an operation as functions of N variables about a point: constant coefficients
+/// are the values, these are the others, exact in double precision, up to an order.
+struct ArgumentShape {
+  int variables, order;
+  std::array<std::vector<double>, 3> coefficients;
+  bool is_own = false;
+
+  /// a = x, b = y, c = z: the Taylor coefficients are those of the operation itself.
+  static ArgumentShape own(int variables, int order);
+  /// Polynomials in all variables, of second degree.
+  static ArgumentShape mixed(int variables, int order);
+};
+
+/// A Taylor coefficient of f(a(x), b(x), c(x)) and its condition, the same sum with the weights and
+/// with absolute values of the coefficients of the arguments:
+///
+///     F_β = Σ_α f_α [(a − a₀)^α₁ (b − b₀)^α₂ …]_β,   C_β = Σ_α w_α [|a − a₀|^α₁ …]_β .
+///
+/// A relative change of u of the values of the arguments and of each intermediate f_α changes F_β
+/// by up to u C_β: this is what "8 ulp of the condition" means, |found − F_β| ≤ 8 u C_β, u = 2⁻⁵³.
+/// Not covered by it are numbers below the normal ones and f_α that overflow. Absolute errors of a
+/// few times 2⁻¹⁰²², the smallest normal number, are admitted; of operations with several
+/// arguments, which are composed of others, times |a|^±|β| for each argument. Where an f_α with |α|
+/// ≤ |β| or that power overflows "not finite" is a right answer for F_β, but a wrong number never
+/// is.
+struct Expected {
+  long double value = 0, condition = 0;
+  long double least = 0;  ///< absolute error that is admitted besides
+  bool overflows = false, is_known = true;
+};
+class Composition {
+ public:
+  Composition(const ArgumentShape& shape, int arity);
+  std::vector<Expected> operator()(const OperationTruth& truth) const;
+
+ private:
+  int variables_, size_;
+  // For each α the coefficients of its monomial in the increments of the arguments, and those of
+  // their absolute values.
+  std::vector<std::vector<double>> monomials_, majorants_;
+};
+
+}  // namespace rfm
