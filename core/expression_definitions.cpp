@@ -58,7 +58,6 @@ void ExpressionEvaluator::enter(std::vector<Visit>& path, std::string name, bool
 void ExpressionEvaluator::leave(const std::vector<Visit>& path) {
   const Visit& last = path.back();
   prepared_.insert(last.formula);
-  open_.erase(last.formula);
   if (last.is_function || path.size() == 1) return;
   try {
     definitions_.emplace(last.name, evaluate(*last.formula, nullptr));

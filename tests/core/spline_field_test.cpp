@@ -57,7 +57,7 @@ SplineField random_spline(const Grid& grid, int degree) {
 
 std::vector<double> jet_at(const SplineField& spline, const Point& point, int variables,
                            int order) {
-  std::vector<double> jet(jet_size(variables, order));
+  std::vector<double> jet(jet_size(variables, order), INFINITY);  // all is to be written
   spline.evaluate({&point[0], &point[1], &point[2]}, 1, variables, order, jet.data(), 1);
   return jet;
 }
