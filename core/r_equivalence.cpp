@@ -10,9 +10,16 @@ Field equivalence(const Field& x, const Field& y, int p) {
 
 Field equivalence(const std::vector<Field>& fields, int p) {
   if (fields.empty()) throw InvalidArgument("the R-equivalence of no fields does not exist");
-  Field joined = fields[0];
-  for (std::size_t i = 1; i < fields.size(); ++i) joined = equivalence(joined, fields[i], p);
-  return joined;
+  // In pairs of pairs: as deep as the logarithm of their number, and as exact.
+  std::vector<Field> level = fields;
+  while (level.size() > 1) {
+    std::vector<Field> next;
+    for (std::size_t i = 0; i + 1 < level.size(); i += 2)
+      next.push_back(equivalence(level[i], level[i + 1], p));
+    if (level.size() % 2 == 1) next.push_back(level.back());
+    level = std::move(next);
+  }
+  return level[0];
 }
 
 }  // namespace rfm

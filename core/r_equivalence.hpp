@@ -12,7 +12,10 @@ namespace rfm {
 /// so that it preserves normalisation to order p. At x = y = 0 derivatives are 0 by convention.
 /// Throws `InvalidArgument` when p is out of range.
 Field equivalence(const Field& x, const Field& y, int p = 2);
-/// The same of any number of fields; ~p is associative. Throws `InvalidArgument` for none.
+/// The same of any number of fields, [Σ |ωᵢ|⁻ᵖ]^(−1/p) with the product of their signs: since ~p is
+/// associative the closed form is evaluated as a balanced tree, which has jets where one of them is
+/// 0 and neither overflows nor loses more digits than the logarithm of their number. Throws
+/// `InvalidArgument` for none.
 Field equivalence(const std::vector<Field>& fields, int p = 2);
 
 }  // namespace rfm

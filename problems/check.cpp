@@ -7,6 +7,7 @@
 #include <span>
 
 #include "problems/distance_quality.hpp"
+#include "problems/geometric_relations.hpp"
 #include "problems/pictures/check_picture.hpp"
 #include "problems/reader.hpp"
 #include "problems/result_folder.hpp"
@@ -104,6 +105,7 @@ void write_picture(const std::string& file, const std::string& output, const Sca
 int check_problem(const std::string& file, const CheckOptions& options) {
   if (options.picture) require_writable(options.output);
   const Problem problem = read_problem(file, options.overrides);
+  const std::vector<RelationAnswer> relations = answered(problem.relations, problem.bounds);
   const ScalarProblem scalar(problem);
   const Grid grid = scalar.grid();
   const DomainRule rule = scalar.rule(grid);
@@ -131,6 +133,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
   for (const Irregularity& irregularity : scalar.irregularities())
     log.line("note: {}", describe(irregularity, scalar.region()));
+  for (const RelationAnswer& answer : relations)
+    log.line("{}", relation_text(answer, problem.dimension));
   const TensorProductSpace space(grid, problem.discretization.degree,
                                  cells_in_region(rule, problem.discretization.degree));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,

@@ -10,6 +10,7 @@
 #include "core/tape.hpp"
 #include "problems/extremes.hpp"
 #include "problems/result_scope.hpp"
+#include "problems/set_extremes.hpp"
 #include "problems/set_integrals.hpp"
 #include "solvers/integrate.hpp"
 
@@ -179,7 +180,10 @@ class ProbeEvaluator {
     const auto offer = [&](const Extreme& other) {
       if (other.value > best.value) best = other;
     };
-    if (probe.over == Probe::Over::boundary) {
+    if (probe.over == Probe::Over::set) {
+      offer(maximum_over_set(sign * scalar(probe, scope_), *probe.set, problem_,
+                             solution_.rule.grid()));
+    } else if (probe.over == Probe::Over::boundary) {
       over_pieces(probe, [&](int number, const ExpressionScope& scope) {
         if (!holds_any(probe, number)) return;
         offer(maximum_over_boundary(sign * scalar(probe, scope), problem_.region(), solution_.rule,

@@ -92,9 +92,6 @@ class ProbeReader {
       const DocumentNode* node = values_.find(map, key);
       if (!node) continue;
       probe.kind = kind;
-      if (probe.over == Probe::Over::set && kind != Probe::Kind::integral &&
-          kind != Probe::Kind::average)
-        return values_.mistakes.add("extremes over a set are not supported yet", node->place);
       const bool is_on_boundary = probe.over == Probe::Over::boundary;
       const ExpressionScope& scope = is_on_boundary ? on_boundary_ : inside_;
       if (auto expression = values_.deferred(*node, scope)) {

@@ -122,12 +122,27 @@ struct Probe {
   int point_count = 1;
   /// What is probed, by the name under which it is kept: the text as written, or a name.
   std::vector<std::pair<std::string, DeferredExpression>> values;
-  /// Of integrals and extremes: the domain, a part of it, a part of its boundary, or (integrals
-  /// only) the part of a set that lies in the domain.
+  /// Of integrals and extremes: the domain, a part of it, a part of its boundary, or the part
+  /// of a set that lies in the domain.
   enum class Over { domain, shape, boundary, set } over = Over::domain;
   std::optional<Region> region;
   std::optional<BoundaryTarget> boundary;
   std::optional<ThinSet> set;
+  Place place;
+};
+
+/// What a file asks under `relations`, and the answer (core/relations.hpp): certified, with a
+/// witness where there is one.
+struct GeometricRelation {
+  enum class Kind { intersect, inside, distance, point };
+  std::string name;
+  Kind kind = Kind::intersect;
+  /// As written, for messages.
+  std::vector<std::string> texts;
+  std::vector<Region> regions;  ///< two, or one in which a point lies
+  Point point{};
+  /// Of distances: how far their bounds may be apart; nothing: 10⁻⁶ of the larger shape.
+  std::optional<double> tolerance;
   Place place;
 };
 
@@ -203,6 +218,7 @@ struct Problem {
   WeightOptions combine;
   std::optional<Box> bounds;
   std::map<std::string, BoundaryTarget> regions;
+  std::vector<GeometricRelation> relations;
   std::vector<Condition> conditions;
   Place conditions_place;
 

@@ -7,6 +7,7 @@
 #include "problems/boundary_reader.hpp"
 #include "problems/combine_reader.hpp"
 #include "problems/definition_reader.hpp"
+#include "problems/geometric_relations.hpp"
 #include "problems/overrides.hpp"
 #include "problems/physics_reader.hpp"
 #include "problems/result_scope.hpp"
@@ -61,6 +62,7 @@ void read_contents(ValueReader& values, Problem& problem) {
   read_geometry(root, values, shapes, problem);
   sets.read_all();
   problem.sets = sets.sets();
+  problem.relations = read_relations(root, values, shapes);
   read_physics(root, values, shapes, problem);
   BoundaryReader boundary(root, values, shapes, problem);
   boundary.read_regions();

@@ -175,6 +175,7 @@ int run_problem(const std::string& file, const RunOptions& options) {
   report.seconds.read = total.seconds();
 
   const Stopwatch prepare;
+  report.relations = answered(problem.relations, problem.bounds);
   const ScalarProblem scalar(problem);
   report.seconds.prepare = prepare.seconds();
   const Grid grid = scalar.grid();
@@ -183,6 +184,9 @@ int run_problem(const std::string& file, const RunOptions& options) {
   report.seconds.assembly = solution.seconds.assembly;
   report.seconds.solve = solution.seconds.solve;
   log_solution(log, scalar, grid, solution);
+
+  for (const RelationAnswer& answer : report.relations)
+    log.line("{}", relation_text(answer, problem.dimension));
 
   const Stopwatch verify;
   const Field* exact = exact_solution(problem);

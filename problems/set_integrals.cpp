@@ -27,12 +27,8 @@ std::array<double, 2> over_segment(const Field& f, const ThinSet& set,
   return {integral, measure};
 }
 
-}  // namespace
-
-std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
-                                          const ScalarProblem& problem, const Grid& grid) {
-  if (!set.surface) return over_segment(f, set, problem.region(), grid);
-  // The surface is an interface, split where the set ends.
+// The surface is an interface, split where the set ends.
+DomainRule rule_on_surface(const ThinSet& set, const RegionEvaluator& region, const Grid& grid) {
   std::vector<LevelFunction> interfaces;
   interfaces.emplace_back(*set.surface, set.dimension);
   for (const Field& end : set.ends) interfaces.emplace_back(end, set.dimension);
@@ -40,12 +36,37 @@ std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
   options.inside_points = 1;
   options.cut_points = points;
   options.compare_orders = false;
-  const DomainRule rule = make_domain_rule(problem.region(), grid, options, interfaces);
+  return make_domain_rule(region, grid, options, interfaces);
+}
+
+}  // namespace
+
+std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
+                                          const ScalarProblem& problem, const Grid& grid) {
+  if (!set.surface) return over_segment(f, set, problem.region(), grid);
+  const DomainRule rule = rule_on_surface(set, problem.region(), grid);
   const Field inside = step(set.where);
   const IntegrationPlace place{Contribution::Place::interface, {0}};
   const std::array<Coefficient, 2> integrands{Coefficient(inside * f), Coefficient(inside)};
   const std::vector<double> sums = integrate(integrands, rule, place);
   return {sums[0], sums[1]};
+}
+
+std::vector<Point> points_of_set(const ThinSet& set, const ScalarProblem& problem,
+                                 const Grid& grid) {
+  std::vector<Point> list;
+  if (!set.surface) {
+    const VolumePoints rule =
+        make_segment_rule(problem.region(), set.points[0], set.points[1], grid.spacing(0), points);
+    for (int i = 0; i < rule.size(); ++i) list.push_back(rule.point(i));
+    return list;
+  }
+  const DomainRule rule = rule_on_surface(set, problem.region(), grid);
+  const Tape where({set.where}, {0}, set.dimension);
+  const SurfacePoints& on = rule.interfaces().points;
+  for (int i = 0; i < on.size(); ++i)
+    if (on.numbers[i] == 0 && where.value(on.point(i)) >= 0) list.push_back(on.point(i));
+  return list;
 }
 
 }  // namespace rfm

@@ -11,4 +11,8 @@ namespace rfm {
 std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
                                           const ScalarProblem& problem, const Grid& grid);
 
+/// Points of a rule on that part of the set.
+std::vector<Point> points_of_set(const ThinSet& set, const ScalarProblem& problem,
+                                 const Grid& grid);
+
 }  // namespace rfm

@@ -116,6 +116,8 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   summary["boundary_residual"] = solution.boundary_residual;
   if (report.errors) summary["errors"]["u"] = as_json(*report.errors);
   add_probes(summary, report.probes, file.dimension);
+  if (!report.relations.empty())
+    summary["relations"] = relations_json(report.relations, file.dimension);
   for (const ConvergenceRow& row : report.convergence) {
     ordered_json entry{{"cells", row.cells}, {"unknowns", row.unknowns}};
     if (row.errors) entry.update(as_json(*row.errors));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/geometric_relations.hpp"
 #include "problems/probe_evaluation.hpp"
 #include "problems/verification.hpp"
 
@@ -13,6 +14,7 @@ namespace rfm {
 struct RunReport {
   std::optional<SolutionErrors> errors;
   std::vector<ProbeResult> probes;
+  std::vector<RelationAnswer> relations;
   std::vector<ConvergenceRow> convergence;
   struct OrderCheck {
     std::string norm;

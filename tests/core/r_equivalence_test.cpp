@@ -59,6 +59,23 @@ TEST_P(EveryExponent, KeepsItsDigitsWhereOneArgumentIsTiny) {
   }
 }
 
+// 300 fields of one line each against the closed form [Σ ωᵢ⁻ᵖ]^(−1/p) in long double.
+TEST_P(EveryExponent, OfManyIsTheClosedFormToAFewUnitsInTheLastPlace) {
+  const int p = GetParam();
+  std::vector<Field> fields;
+  for (int i = 0; i < 300; ++i) fields.push_back(1 + 0.01 * i + x * (i % 7));
+  const Field joined = equivalence(fields, p);
+  for (const double at : {0.0, 0.3, 2.0}) {
+    long double sum = 0;
+    for (int i = 0; i < 300; ++i) sum += std::pow(1.0L + 0.01L * i + at * (i % 7), -1.0L * p);
+    const double expected = static_cast<double>(std::pow(sum, -1.0L / p));
+    EXPECT_NEAR(value_at(joined, {at}), expected, 3e-15 * expected);
+  }
+  // Where one of them is zero: its slope.
+  fields[150] = x;
+  EXPECT_NEAR(evaluate(equivalence(fields, p), {0, 0}, 1, 2).derivative(1, 0), 1, 1e-14);
+}
+
 TEST(REquivalence, IsZeroWithFiniteDerivativesWhereBothAre) {
   const PointJet corner = evaluate(equivalence(x, y, 2), {0, 0}, 2, 2);
   EXPECT_EQ(corner.value(), 0);

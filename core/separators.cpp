@@ -1,0 +1,158 @@
+#include "core/separators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/level_function.hpp"
+#include "core/tape.hpp"
+#include "core/winding_sign.hpp"
+
+namespace rfm {
+namespace {
+
+struct Separator {
+  Field function;
+  std::string text;
+};
+
+Field line_through(const Point& point, const Point& normal) {
+  const double length = std::hypot(normal[0], normal[1]);
+  return (normal[0] * (x_coordinate() - point[0]) + normal[1] * (y_coordinate() - point[1])) *
+         (1 / length);
+}
+
+// Of one kind, for one piece.
+using Kind = std::vector<Separator> (*)(const ThinSet& piece, const std::string& name);
+
+std::vector<Separator> chords(const ThinSet& piece, const std::string& name) {
+  if (piece.dimension == 3) {  // planes through the edges of a triangle
+    std::vector<Separator> list;
+    if (piece.points.size() != 3) return list;
+    for (std::size_t i = 0; i < piece.ends.size(); ++i)
+      list.push_back(
+          {piece.ends[i], "the plane across edge " + std::to_string(i + 1) + " of " + name});
+    return list;
+  }
+  if (piece.points.size() != 2 || piece.bulge == 0) return {};
+  const Point &a = piece.points[0], &b = piece.points[1];
+  return {{line_through(a, {a[1] - b[1], b[0] - a[0]}), "the chord of " + name}};
+}
+
+std::vector<Separator> tangents(const ThinSet& piece, const std::string& name) {
+  std::vector<Separator> list;
+  if (piece.dimension != 2 || piece.points.size() != 2 || piece.bulge == 0) return list;
+  const LevelFunction surface(*piece.surface, 2);
+  for (const Point& end : piece.points) {
+    Point normal;
+    surface.value_and_gradient(end, normal);
+    list.push_back({line_through(end, normal), "a tangent at an end of " + name});
+  }
+  return list;
+}
+
+std::vector<Separator> trims(const ThinSet& piece, const std::string& name) {
+  std::vector<Separator> list;
+  for (const Field& end : piece.ends) list.push_back({end, "what trims " + name + " at its ends"});
+  return list;
+}
+
+Box box_of(const std::vector<ThinSet>& pieces) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const int dimension = pieces.empty() ? 2 : pieces[0].dimension;
+  Box box{dimension, {}, {}};
+  for (int axis = 0; axis < dimension; ++axis) box.low[axis] = infinite, box.high[axis] = -infinite;
+  const auto add = [&](const Point& point) {
+    for (int axis = 0; axis < dimension; ++axis) {
+      box.low[axis] = std::min(box.low[axis], point[axis]);
+      box.high[axis] = std::max(box.high[axis], point[axis]);
+    }
+  };
+  for (const ThinSet& piece : pieces) {
+    for (const Point& point : piece.points) add(point);
+    if (piece.bulge == 0 || piece.points.size() != 2) continue;
+    // An arc lies within its chord's length times (1 + b²)/2|b| of its ends.
+    const Point &a = piece.points[0], &b = piece.points[1];
+    const double reach = std::hypot(b[0] - a[0], b[1] - a[1]) * (1 + piece.bulge * piece.bulge) /
+                         (2 * std::fabs(piece.bulge));
+    for (const Point& end : piece.points) {
+      add({end[0] - reach, end[1] - reach});
+      add({end[0] + reach, end[1] + reach});
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
+                               const std::vector<std::string>& names, const Membership& membership,
+                               const Box& bounds) {
+  if (pieces.empty() || names.size() != pieces.size())
+    throw InvalidArgument("a solid has pieces of its boundary, each with a name");
+  std::vector<Field> functions;
+  for (const ThinSet& piece : pieces) {
+    if (!piece.surface) throw InvalidArgument("a piece of the boundary of a solid has a surface");
+    functions.push_back(*piece.surface);
+  }
+  const int own = static_cast<int>(functions.size());
+  SetDescription description(functions, membership, bounds);
+  const std::optional<std::pair<Point, Point>> conflict = description.conflict();
+  std::vector<Separator> candidates;
+  for (const Kind kind : {chords, tangents, trims}) {
+    if (!description.conflict()) break;
+    std::vector<Separator> more;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (Separator& separator : kind(pieces[i], names[i]))
+        if (std::ranges::none_of(candidates, [&](const Separator& earlier) {
+              return earlier.function.same_as(separator.function);
+            }))
+          more.push_back(std::move(separator));
+    // Those of an earlier kind are taken away last.
+    candidates.insert(candidates.begin(), more.begin(), more.end());
+    std::vector<Field> all = functions;
+    for (const Separator& separator : candidates) all.push_back(separator.function);
+    description = SetDescription(all, membership, bounds);
+  }
+  const std::vector<bool> used = without_needless_separators(description, own);
+  const BooleanExpression expression = description.restricted(used).minimal_form();
+
+  const int dimension = bounds.dimension;
+  std::vector<std::shared_ptr<const Primitive>> primitives;
+  for (int i = 0; i < own; ++i)
+    primitives.push_back(std::make_shared<const Primitive>(
+        Primitive{names[i], normalize(functions[i], dimension), functions[i]}));
+  DescribedSolid solid{Region(dimension, primitives, BooleanExpression::variable(0)),
+                       conflict,
+                       static_cast<int>(candidates.size()),
+                       {}};
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Separator& separator = candidates[i];
+    const bool kept = used[own + i];
+    if (kept) solid.separators.push_back(separator.text);
+    primitives.push_back(std::make_shared<const Primitive>(
+        Primitive{"separator" + std::to_string(i + 1), normalize(separator.function, dimension),
+                  separator.function, true}));
+  }
+  solid.region = Region(dimension, std::move(primitives), expression);
+  return solid;
+}
+
+DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
+                               const std::vector<std::string>& names) {
+  const WindingSign winding(pieces);
+  const Box bounds = box_of(pieces);
+  const double near = 1e-9 * bounds.longest_side();
+  std::vector<Field> functions;
+  for (const ThinSet& piece : pieces) functions.push_back(piece.function);
+  const Tape distances(functions, {0}, bounds.dimension);
+  const Membership membership = [&](const Point& point) {
+    for (std::size_t i = 0; i < pieces.size(); ++i)  // on a piece neither
+      if (distances.value(point, static_cast<int>(i)) <= near) return Truth::unknown;
+    return winding.is_inside(point) ? Truth::yes : Truth::no;
+  };
+  return described_solid(pieces, names, membership, bounds);
+}
+
+}  // namespace rfm

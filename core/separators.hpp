@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/set_description.hpp"
+#include "core/thin_set.hpp"
+
+namespace rfm {
+
+/// A solid that is given by the pieces of its boundary, as a Boolean expression.
+struct DescribedSolid {
+  /// Its primitives are the curves (surfaces) of the pieces, in their order, then the separators
+  /// that are needed, which select only.
+  Region region;
+  /// A point inside and one outside that the curves of the pieces alone do not tell apart; nothing
+  /// if they describe the solid.
+  std::optional<std::pair<Point, Point>> conflict;
+  int candidates = 0;                   ///< separators that were tried
+  std::vector<std::string> separators;  ///< those that are left, in words: "the chord of arc2"
+};
+
+/// The inverse problem of analytic geometry (V. Shapiro, Acta Numerica 16 (2007), §5.3): an
+/// expression of a solid whose boundary is the union of `pieces`. Where the primitives that the
+/// pieces induce do not describe it, separators are added, those of a kind at once: chords through
+/// the ends of curved pieces (of triangles the planes through their edges), then tangents at their
+/// ends, then what trims the pieces, which suffices by theorem 6. Then they are taken away one by
+/// one as long as the solid remains describable, so that none of those left is needless (another
+/// choice may be smaller).
+///
+/// Inside is what `membership` says, `bounds` as for `SetDescription`, whose resolution holds here
+/// too. Pieces must have a `surface`; `names` are those of the primitives, one for each. Throws
+/// `InvalidArgument` otherwise, and if the solid is not describable with all separators.
+DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
+                               const std::vector<std::string>& names, const Membership& membership,
+                               const Box& bounds);
+
+/// The same of closed curves of segments and arcs (in space of triangles), inside by the parity of
+/// the winding number. Throws as above and as `WindingSign`.
+DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
+                               const std::vector<std::string>& names);
+
+}  // namespace rfm

@@ -1,0 +1,108 @@
+#include "core/separators.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "core/winding_sign.hpp"
+
+namespace rfm {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<std::string> numbered(std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back("p" + std::to_string(i));
+  return names;
+}
+
+// The region is the inside of the closed curves, on a grid that no piece follows.
+void expect_inside(const DescribedSolid& solid, const std::vector<ThinSet>& pieces, double half) {
+  const WindingSign winding(pieces);
+  const RegionEvaluator region(solid.region);
+  int inside = 0;
+  for (double x = -1.0013 * half; x < half; x += 0.0371 * half)
+    for (double y = -1.0017 * half; y < half; y += 0.0367 * half) {
+      const Point at{x, y};
+      EXPECT_EQ(region.contains(at), winding.is_inside(at)) << x << ", " << y;
+      inside += winding.is_inside(at);
+    }
+  EXPECT_GT(inside, 100);
+}
+
+TEST(Separators, OfFigure59AllGo) {
+  // V. Shapiro (2007), figure 5.9: the boundary of the union of three disks through one point.
+  // Each two circles cross again at distance 1 from the origin, seen from a centre 120° from the
+  // middle of its arc.
+  std::vector<ThinSet> arcs;
+  for (int k = 0; k < 3; ++k) {
+    const double t = 0.4 + 2 * pi * k / 3;
+    arcs.push_back(arc_set({std::cos(t), std::sin(t)}, 1, t - 2 * pi / 3, t + 2 * pi / 3));
+  }
+  const DescribedSolid solid = described_solid(arcs, numbered(3));
+  EXPECT_FALSE(solid.conflict);
+  EXPECT_TRUE(solid.separators.empty());
+  expect_inside(solid, arcs, 2.2);
+}
+
+TEST(Separators, AreNotAddedWhereThePiecesDescribeTheSolid) {
+  const double t = pi / 6;
+  // A disk without a disk; a part of a ring; a plate with a round bite.
+  const std::vector<ThinSet> moon{arc_set({0, 0}, 2, t, 2 * pi - t),
+                                  arc_set({4 * std::cos(t), 0}, 2, pi - t, pi + t)};
+  const Point inner{std::cos(2 * t), std::sin(2 * t)}, outer{2 * inner[0], 2 * inner[1]};
+  const std::vector<ThinSet> ring{arc_set({0, 0}, 1, -2 * t, 2 * t), segment_set(inner, outer),
+                                  arc_set({0, 0}, 2, -2 * t, 2 * t),
+                                  segment_set({inner[0], -inner[1]}, {outer[0], -outer[1]})};
+  const std::vector<ThinSet> bitten{arc_set({0, 0}, 1, 0, pi),      segment_set({-1, 0}, {-2, 0}),
+                                    segment_set({-2, 0}, {-2, -2}), segment_set({-2, -2}, {2, -2}),
+                                    segment_set({2, -2}, {2, 0}),   segment_set({2, 0}, {1, 0})};
+  for (const auto& pieces : {moon, ring, bitten}) {
+    const DescribedSolid solid = described_solid(pieces, numbered(pieces.size()));
+    EXPECT_FALSE(solid.conflict);
+    EXPECT_EQ(solid.candidates, 0);
+    expect_inside(solid, pieces, 2.3);
+  }
+}
+
+TEST(Separators, AreTheChordsThatTellTwoPartsOfACellApart) {
+  // As in figure 5.8. A half disk below, with a half disk added and one taken away along its
+  // straight side: what is outside of both small circles and inside the large one is inside below
+  // y = 0 and outside above. All chords lie on that line; one is enough.
+  const std::vector<ThinSet> wave{arc_set({0.5, 0}, 0.5, 0, pi), arc_set({1.5, 0}, 0.5, pi, 2 * pi),
+                                  arc_set({1, 0}, 1, pi, 2 * pi)};
+  const DescribedSolid solid = described_solid(wave, numbered(3));
+  ASSERT_TRUE(solid.conflict);
+  EXPECT_LE(solid.conflict->first[1], 1e-9);  // inside
+  EXPECT_GE(solid.conflict->second[1], -1e-9);
+  EXPECT_EQ(solid.candidates, 3);
+  ASSERT_EQ(solid.separators.size(), 1u);
+  EXPECT_THAT(solid.separators[0], testing::HasSubstr("the chord of p"));
+  expect_inside(solid, wave, 2.2);
+}
+
+TEST(Separators, OfATetrahedronAreNotNeeded) {
+  const Point o{0, 0, 0}, a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1};
+  const std::vector<ThinSet> faces{triangle_set(o, b, a), triangle_set(o, a, c),
+                                   triangle_set(o, c, b), triangle_set(a, b, c)};
+  const DescribedSolid solid = described_solid(faces, numbered(4));
+  EXPECT_FALSE(solid.conflict);
+  EXPECT_TRUE(solid.separators.empty());
+  const RegionEvaluator region(solid.region);
+  EXPECT_TRUE(region.contains(Point{0.2, 0.2, 0.2}));
+  EXPECT_FALSE(region.contains(Point{0.4, 0.4, 0.4}));
+  EXPECT_FALSE(region.contains(Point{-0.1, 0.2, 0.2}));
+}
+
+TEST(Separators, PiecesMustCloseAndHaveNames) {
+  EXPECT_THROW(described_solid({segment_set({0, 0}, {1, 0})}, numbered(1)), InvalidArgument);
+  EXPECT_THROW(
+      described_solid({arc_set({0, 0}, 1, 0, 2), segment_set({1, 0}, {0, 1})}, numbered(1)),
+      InvalidArgument);
+}
+
+}  // namespace
+}  // namespace rfm
