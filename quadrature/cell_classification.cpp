@@ -1,7 +1,8 @@
 #include "quadrature/cell_classification.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <numeric>
 
 #include "core/error.hpp"
 #include "quadrature/surface_candidates.hpp"
@@ -66,17 +67,34 @@ class CellClassifier {
         is_tight_(classification == Classification::tight) {}
 
   CellClassification run() {
-    result_.states.assign(grid_.cell_count(), CellState::outside);
+    states_.assign(grid_.cell_count(), CellState::outside);
     Block all;
     for (int axis = 0; axis < grid_.dimension(); ++axis) all.end[axis] = grid_.cells(axis);
-    visit(all, SurfaceCandidates(region_, interfaces_));
-    sort_cut_cells();
-    return std::move(result_);
+    // Some tens of blocks for all threads; small grids are done before threads have started.
+    constexpr int fewest_cells = 4096, depth = 6;
+    std::vector<Waiting> waiting;
+    std::vector<CellClassification> found(1);
+    visit(all, SurfaceCandidates(region_, interfaces_), found[0],
+          grid_.cell_count() < fewest_cells ? nullptr : &waiting, depth);
+    found.resize(1 + waiting.size());
+    tbb::parallel_for(std::size_t{0}, waiting.size(), [&](std::size_t i) {
+      for (const Block& half : waiting[i].block.halves())
+        visit(half, waiting[i].candidates, found[i + 1], nullptr, 0);
+    });
+    return sorted(found);
   }
 
  private:
-  // Splits `block` until every part is decided or a single cell.
-  void visit(const Block& block, SurfaceCandidates candidates) {
+  // Undecided.
+  struct Waiting {
+    Block block;
+    SurfaceCandidates candidates;
+  };
+
+  // Splits `block` until every part is decided or a single cell, or, where others wait, `depth`
+  // times. Cut cells go to `found`.
+  void visit(const Block& block, SurfaceCandidates candidates, CellClassification& found,
+             std::vector<Waiting>* waiting, int depth) {
     const Box box = block_box(grid_, block);
     Truth inside = candidates.narrow(box, false, region_, interfaces_);
     const auto is_decided = [&] {
@@ -85,20 +103,21 @@ class CellClassifier {
     if (is_tight_ && block.is_cell() && !is_decided())
       inside = candidates.narrow(box, true, region_, interfaces_);
     if (is_decided()) return inside == Truth::yes ? fill(block) : void();
-    if (block.is_cell()) return add_cut_cell(block, candidates);
+    if (block.is_cell()) return add_cut_cell(block, candidates, found);
+    if (waiting && depth == 0) return waiting->push_back({block, std::move(candidates)});
     const auto halves = block.halves();
-    visit(halves[0], candidates);
-    visit(halves[1], std::move(candidates));
+    visit(halves[0], candidates, found, waiting, depth - 1);
+    visit(halves[1], std::move(candidates), found, waiting, depth - 1);
   }
 
   void fill(const Block& block) {
     for (int k = block.begin[2]; k < block.end[2]; ++k)
       for (int j = block.begin[1]; j < block.end[1]; ++j)
         for (int i = block.begin[0]; i < block.end[0]; ++i)
-          result_.states[grid_.number({i, j, k})] = CellState::inside;
+          states_[grid_.number({i, j, k})] = CellState::inside;
   }
 
-  void add_cut_cell(const Block& block, SurfaceCandidates& candidates) {
+  void add_cut_cell(const Block& block, SurfaceCandidates& candidates, CellClassification& found) {
     TruthTable table(true);
     const bool few =
         candidates.primitives.size() <= static_cast<std::size_t>(TruthTable::max_variables);
@@ -109,12 +128,11 @@ class CellClassifier {
       if (table.variable_count() == 0 && candidates.interfaces.empty()) return fill(block);
     }
     const int cell = grid_.number(block.begin);
-    result_.states[cell] = CellState::cut;
-    result_.cut_cells.push_back(cell);
-    append(result_.primitives_, result_.primitive_begin_, candidates.primitives);
-    append(result_.interfaces_, result_.interface_begin_, candidates.interfaces);
-    append(result_.words_, result_.word_begin_,
-           few ? table.words() : std::span<const std::uint64_t>());
+    states_[cell] = CellState::cut;
+    found.cut_cells.push_back(cell);
+    append(found.primitives_, found.primitive_begin_, candidates.primitives);
+    append(found.interfaces_, found.interface_begin_, candidates.interfaces);
+    append(found.words_, found.word_begin_, few ? table.words() : std::span<const std::uint64_t>());
   }
 
   template <class Value, class Range>
@@ -125,27 +143,33 @@ class CellClassifier {
   }
 
   // The tree meets cells in its own order.
-  void sort_cut_cells() {
-    std::vector<int> order(result_.cut_cells.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, [&](int i) { return result_.cut_cells[i]; });
-    CellClassification sorted;
-    sorted.states = std::move(result_.states);
-    for (const int i : order) {
-      sorted.cut_cells.push_back(result_.cut_cells[i]);
-      append(sorted.primitives_, sorted.primitive_begin_, result_.primitives(i));
-      append(sorted.interfaces_, sorted.interface_begin_, result_.interfaces(i));
-      append(sorted.words_, sorted.word_begin_,
-             CellClassification::range(result_.words_, result_.word_begin_, i));
+  CellClassification sorted(const std::vector<CellClassification>& found) {
+    struct Place {
+      int cell, part, index;
+    };
+    std::vector<Place> order;
+    for (std::size_t part = 0; part < found.size(); ++part)
+      for (std::size_t i = 0; i < found[part].cut_cells.size(); ++i)
+        order.push_back({found[part].cut_cells[i], static_cast<int>(part), static_cast<int>(i)});
+    std::ranges::sort(order, {}, &Place::cell);
+    CellClassification result;
+    result.states = std::move(states_);
+    for (const Place& place : order) {
+      const CellClassification& part = found[place.part];
+      result.cut_cells.push_back(place.cell);
+      append(result.primitives_, result.primitive_begin_, part.primitives(place.index));
+      append(result.interfaces_, result.interface_begin_, part.interfaces(place.index));
+      append(result.words_, result.word_begin_,
+             CellClassification::range(part.words_, part.word_begin_, place.index));
     }
-    result_ = std::move(sorted);
+    return result;
   }
 
   const RegionEvaluator& region_;
   const Grid& grid_;
   std::span<const LevelFunction> interfaces_;
   bool is_tight_;
-  CellClassification result_;
+  std::vector<CellState> states_;
 };
 
 CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,

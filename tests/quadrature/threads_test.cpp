@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+
+#include "quadrature/cell_classification.hpp"
 #include "quadrature/divergence_defects.hpp"
 #include "quadrature/integrate.hpp"
 #include "tests/quadrature/standard_regions.hpp"
@@ -14,7 +17,8 @@ namespace {
 
 DomainRule rule_with(int threads, const StandardRegion& body) {
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const int cells = body.box.dimension == 2 ? 40 : 9;
+  // In the plane enough for a classification by all threads.
+  const int cells = body.box.dimension == 2 ? 80 : 9;
   QuadratureOptions options;
   options.inside_points = options.cut_points = 4;
   return make_domain_rule(RegionEvaluator(body.region), Grid(body.box, {cells, cells, cells}),
@@ -59,6 +63,24 @@ TEST_P(Threads, DoNotChangeASingleBit) {
     EXPECT_EQ(one.report().order_difference.boundary, rule.report().order_difference.boundary);
     EXPECT_EQ(divergence_defects(one), divergence_defects(rule));
     EXPECT_EQ(integral, integral_with(threads, rule)) << threads;
+  }
+}
+
+TEST(Threads, DoNotChangeTheClassificationOfLargeGrids) {
+  for (const StandardRegion& body : standard_regions_3d()) {
+    const RegionEvaluator region(body.region);
+    const auto with_threads = [&](int threads) {
+      tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      return classify_cells(region, Grid(body.box, {18, 19, 20}));
+    };
+    const CellClassification one = with_threads(1);
+    for (const int threads : {2, 3, 8}) {
+      const CellClassification other = with_threads(threads);
+      EXPECT_EQ(one.states, other.states) << body;
+      ASSERT_EQ(one.cut_cells, other.cut_cells) << body;
+      for (int i = 0; i < static_cast<int>(one.cut_cells.size()); ++i)
+        EXPECT_TRUE(std::ranges::equal(one.primitives(i), other.primitives(i))) << body;
+    }
   }
 }
 
