@@ -22,6 +22,7 @@ class IteratedRule {
  public:
   IteratedRule(int points, Sink& sink) : gauss_(gauss_legendre(points)), sink_(sink) {}
 
+  int points() const { return gauss_.size(); }
   void add_line(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line,
                 double weight);
   void add_plane(const Reduction2D& reduction, double weight);

@@ -61,6 +61,21 @@ struct LineCrossing {
   bool inside_is_positive = true;
 };
 
+/// Of the surfaces of a cluster of roots, `first` ≤ i < `last`, one that is a piece of the boundary
+/// and bounds the region at its side `inner`; `side` if there is none. Where a curve touches the
+/// side of a turned box it is the boundary: taken for the side, a length of the order of the root
+/// of the rounding would be lost. In the box beyond, the region ends or begins on both at once.
+inline int bounding_piece(const ActiveSet& active, const LineRoots& roots, int first, int last,
+                          SurfaceSigns inner, int side) {
+  for (int i = first; i < last; ++i) {
+    const int surface = roots.surfaces[i];
+    if (!active.is_interface(surface) && active.numbers[surface] != ActiveSet::no_piece &&
+        !active.inside(inner ^ 1u << surface))
+      return surface;
+  }
+  return side;
+}
+
 /// Walks along a segment and looks up what is inside: `on_part(LineEnd, LineEnd)` for each maximal
 /// part inside that no interface cuts, `on_crossing(LineCrossing)` for each crossing, in ascending
 /// order. Roots nearer than 1e-13 of the segment are one cluster, whose total effect counts:
@@ -89,6 +104,8 @@ void walk_line(const ActiveSet& active, const LineRoots& roots, const LineSegmen
     }
     const bool inside_after = active.inside(after);
     if (inside_after != inside) {
+      if (active.numbers[decisive] == ActiveSet::no_piece)
+        decisive = bounding_piece(active, roots, first, next, inside ? signs : after, decisive);
       finish({position, decisive});
       on_crossing(LineCrossing{position, decisive, false, inside_after,
                                inside_after == static_cast<bool>(after >> decisive & 1)});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/interval.hpp"
+#include "quadrature/work.hpp"
 
 namespace rfm {
 
@@ -39,7 +40,7 @@ double bracketed_root(Function&& function, double low, double high, double value
   return t;
 }
 
-/// What isolation may cost; what it did not resolve.
+/// What isolation may cost, within the `last_work` of the thread; what it did not resolve.
 struct IsolationBudget {
   int calls = 300;
   int max_depth = 24;
@@ -79,7 +80,7 @@ class RootIsolation {
     const auto report_sign_change = [&] {
       if (changes_sign) report_(bracketed_root(function_, low, high, value_low, value_high));
     };
-    if (--budget_.calls < 0) {
+    if (--budget_.calls < 0 || work_done > last_work) {
       budget_.exhausted = true;
       return report_sign_change();
     }

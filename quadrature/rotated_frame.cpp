@@ -1,5 +1,6 @@
 #include "quadrature/rotated_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,30 @@ bool unit_gradients(const Point& center, const ActiveSet& active,
     gradient[1] /= length;
   }
   return true;
+}
+
+// Whether a curve touches a side of the box within rounding.
+bool is_tangent_to_side(const Box& box, const Surface& curve) {
+  constexpr double rounding = 1e-12, flat = 1e-6;
+  for (int along = 0; along < 2; ++along)
+    for (const double level : {box.low[1 - along], box.high[1 - along]}) {
+      Point point{}, low{}, high{};
+      point[1 - along] = level;
+      point[along] = box.low[along];
+      curve.value_and_gradient(point, low);
+      point[along] = box.high[along];
+      curve.value_and_gradient(point, high);
+      // Where the curve would be parallel to the side.
+      const double size = std::hypot(low[0], low[1]), from = low[along], to = high[along];
+      double t = std::fabs(from) < std::fabs(to) ? 0 : 1;
+      if ((from > 0) != (to > 0))
+        t = from / (from - to);
+      else if (std::min(std::fabs(from), std::fabs(to)) > flat * size)
+        continue;
+      point[along] = box.low[along] + t * box.length(along);
+      if (std::fabs(curve.value(point)) <= rounding * size * box.length(1 - along)) return true;
+    }
+  return false;
 }
 
 // The height direction: the largest smallest component of the gradients among some directions. The
@@ -88,6 +113,8 @@ std::optional<RotatedBox> RotatedBox::around(const Box& box, const ActiveSet& ac
   }
   for (int i = active.region_count(); i < active.count; ++i)
     add(active.surfaces[i]->in_frame(frame), active.numbers[i]);
+  for (int i = 0; i < active.count; ++i)
+    result.touches_side_ |= is_tangent_to_side(box, *active.surfaces[i]);
   result.parts_ = std::move(parts);
   return result;
 }

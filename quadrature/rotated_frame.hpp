@@ -20,6 +20,9 @@ class RotatedBox {
   const Frame& frame() const { return parts_->frame; }
   const Box& box() const { return box_; }
   const ActiveSet& active() const { return active_; }
+  /// A curve touches a side of the original box within rounding. In the world the boxes on both
+  /// sides see the same curve there; turned, each rounds for itself.
+  bool touches_side() const { return touches_side_; }
 
  private:
   struct Parts {
@@ -29,6 +32,7 @@ class RotatedBox {
   std::unique_ptr<const Parts> parts_;
   Box box_;
   ActiveSet active_;
+  bool touches_side_ = false;
 };
 
 }  // namespace rfm

@@ -37,8 +37,8 @@ Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisito
   visitor_ = &visitor;
   frame_ = nullptr;
   max_depth_ = options_.max_depth[box.dimension - 1];
-  last_work_ =
-      work_done + static_cast<std::int64_t>(share * static_cast<double>(options_.max_work));
+  const WorkLimit limit(static_cast<std::int64_t>(share * static_cast<double>(options_.max_work)));
+  is_limited_ = false;
   uncertified_ = {};
   visit(box, active, 0);
   visit_waiting();
@@ -54,14 +54,26 @@ void Subdivision::visit_waiting() {
 }
 
 // Whether the budget allows for another bisection and for what the boxes that wait would cost as
-// they are: some tens of lines each.
+// they are: to be bounded and reduced, and some tens of lines each.
 bool Subdivision::may_bisect(const ActiveSet& active, int depth) const {
-  constexpr std::int64_t lines = 50;
+  constexpr std::int64_t lines = 25, reduction = 500;
   if (depth >= max_depth_) return false;
   std::int64_t line = 0;
   for (int i = 0; i < active.count; ++i) line += active.surfaces[i]->cost().crossing;
-  return work_done + static_cast<std::int64_t>(waiting_.size() - next_ + 2) * lines * line <
-         last_work_;
+  return work_done +
+             static_cast<std::int64_t>(waiting_.size() - next_ + 2) * (reduction + lines * line) <
+         last_work;
+}
+
+template <class Reduction>
+void Subdivision::report(Reduction& reduction) {
+  // Small boxes lose little by fewer points; a tenth of the budget later it has to end.
+  const std::int64_t overspent = work_done - last_work;
+  is_limited_ = overspent > 0;
+  visitor_->limit_points(!is_limited_                         ? PartVisitor::unlimited
+                         : 10 * overspent < options_.max_work ? 4
+                                                              : 2);
+  visitor_->reduced(reduction);
 }
 
 double Subdivision::flatness(int dimension, int depth) const {
@@ -70,6 +82,8 @@ double Subdivision::flatness(int dimension, int depth) const {
 }
 
 void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
+  constexpr int work_to_pass_on = 10;
+  work_done += work_to_pass_on;
   SurfaceBounds bounds;
   simplify(box, active, bounds);
   if (active.region_count() == 0 && !active.table.value(0)) return;
@@ -101,6 +115,10 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   constexpr int depth_in_frame = 8;
   const std::optional<RotatedBox> rotation = RotatedBox::around(box, active);
   if (!rotation) return false;
+  // A length of the order of the root of the rounding is lost or counted twice there: the smaller
+  // the box, the less.
+  constexpr int levels_from_bottom = 4;
+  if (rotation->touches_side() && depth + levels_from_bottom < max_depth_) return false;
   const int max_depth = max_depth_;
   frame_ = &rotation->frame();
   max_depth_ = std::min(depth + depth_in_frame, max_depth);
@@ -114,6 +132,10 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   next_ = next;
   max_depth_ = max_depth;
   frame_ = nullptr;
+  if (rotation->touches_side()) {
+    ++uncertified_.boxes;
+    uncertified_.measure += box.measure();
+  }
   return true;
 }
 
@@ -127,8 +149,8 @@ bool Subdivision::reduced(const Box& box, const ActiveSet& active,
   if (box.dimension == 2) {
     const int height = proven ? heights.proven[0] : heights.likely;
     plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
-    visitor_->reduced(plane_);
-    if (!proven || !plane_.certified()) add_uncertified(box);
+    report(plane_);
+    if (!proven || !plane_.certified() || is_limited_) add_uncertified(box);
   } else {
     visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
     if (!proven) add_uncertified(box);
@@ -153,8 +175,8 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
       return true;
     }
     if (outcome == Reduction3D::Outcome::not_reduced) continue;
-    visitor_->reduced(space_);
-    if (!space_.certified()) {
+    report(space_);
+    if (!space_.certified() || is_limited_) {
       add_uncertified(box);
     } else if (space_.has_contacts()) {
       ++uncertified_.contact_boxes;
@@ -164,10 +186,10 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
   }
   if (may_bisect(active, depth)) return false;
   options.best_effort = true;
-  options.in_haste = depth < max_depth_;
+  options.in_haste = depth < max_depth_ || 2 * (last_work - work_done) < options_.max_work;
   space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
                options);
-  visitor_->reduced(space_);
+  report(space_);
   add_uncertified(box);
   return true;
 }

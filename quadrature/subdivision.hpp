@@ -19,10 +19,10 @@ struct SubdivisionOptions {
   double flatness_decay = 0.8;
   /// Bisections along one branch, by dimension: 2⁻¹² of a cell per axis in 2D.
   std::array<int, 3> max_depth = {48, 24, 18};
-  /// What may be done for one cell, in steps of `work_done`: some 25 ms. Boxes that wait when it is
-  /// spent are reduced as they are and reported, which may take as long again. Large boxes come
-  /// first, so that what is left unresolved is small everywhere.
-  std::int64_t max_work = 2'500'000;
+  /// What may be done for one cell, in steps of `work_done`: some 25 ms. It includes what boxes
+  /// that wait cost when they are reduced as they are and reported, and no search goes on when it
+  /// is spent. Large boxes come first, so that what is left unresolved is small everywhere.
+  std::int64_t max_work = 2'000'000;
   /// From this depth on a rotated frame is tried in 2D: it resolves corners where one curve is
   /// horizontal and another vertical.
   int rotation_depth = 8;
@@ -68,6 +68,9 @@ class PartVisitor {
   virtual void reduced(const Reduction2D& reduction) = 0;
   /// Not const: sections share the memory of the reduction.
   virtual void reduced(Reduction3D& reduction) = 0;
+  /// How many Gauss points a piece of the parts that follow may have: few when the budget is spent.
+  static constexpr int unlimited = 1000;
+  virtual void limit_points(int) {}
   /// The part reported last is a best effort.
   virtual void not_certified() {}
 };
@@ -99,6 +102,8 @@ class Subdivision {
                      std::span<const FunctionBounds> bounds, const HeightDirections& heights,
                      int depth);
   bool may_bisect(const ActiveSet& active, int depth) const;
+  template <class Reduction>
+  void report(Reduction& reduction);
   /// After `box` was reported.
   void add_uncertified(const Box& box);
   double flatness(int dimension, int depth) const;
@@ -107,8 +112,8 @@ class Subdivision {
   PartVisitor* visitor_ = nullptr;
   const Frame* frame_ = nullptr;
   int max_depth_ = 0;
-  /// Of `work_done`.
-  std::int64_t last_work_ = 0;
+  /// The part reported last had fewer points.
+  bool is_limited_ = false;
   std::vector<Waiting> waiting_;
   std::size_t next_ = 0;
   Uncertified uncertified_;

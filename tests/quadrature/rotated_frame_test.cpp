@@ -92,4 +92,20 @@ TEST(RotatedFrame, IsNotForOneCurveNorForParallelsToAnAxis) {
   EXPECT_FALSE(RotatedBox::around(unit_box(), Curves({y() - square(x()) - 0.3, x() - 0.3}).active));
 }
 
+TEST(RotatedFrame, TellsWhereACurveTouchesASideOfTheBox) {
+  // At a corner of the box, within a side, and nowhere.
+  const Box box{2, {-1, -1, 0}, {0, 0, 0}};
+  const Field steep = x() + 0.4 - 0.3 * y();
+  const auto touches = [&](const Field& field) {
+    const Curves curves({field, steep});
+    const auto rotated = RotatedBox::around(box, curves.active);
+    EXPECT_TRUE(rotated);
+    return rotated && rotated->touches_side();
+  };
+  EXPECT_TRUE(touches(square(x()) - y() - 1));
+  EXPECT_TRUE(touches(square(x() + 0.3) - y() - 1));
+  EXPECT_FALSE(touches(square(x() + 0.3) - y() - 0.999));
+  EXPECT_FALSE(touches(x() - y() + 0.2));
+}
+
 }  // namespace

@@ -107,4 +107,17 @@ TEST(ZeroIsolation, RandomLinesCrossWhereCramersRuleSays) {
   EXPECT_GT(found, 100);
 }
 
+TEST(ZeroIsolation, ABoxIsNotSettledByAZeroOutsideOfIt) {
+  // sin has a slope of one sign on (−π/2, π/2) only. Newton's method leads from the centre of most
+  // boxes out of them, to a zero from which nothing may be concluded unless Jacobians are bounded
+  // on the way to it as well: no zero may be lost, at any place of the box.
+  for (int k = 0; k < 200; ++k) {
+    const double low = -20 + 0.0917 * k, high = low + 7.3 + 0.031 * k;
+    const ZeroSet set = zeros_of({sin(x()), y() - 0.1 * x()}, {2, {low, -4}, {high, 4}});
+    EXPECT_TRUE(set.unresolved.empty()) << k;
+    const int expected = static_cast<int>(std::floor(high / pi) - std::ceil(low / pi)) + 1;
+    EXPECT_EQ(static_cast<int>(set.zeros.size()), expected) << k;
+  }
+}
+
 }  // namespace
