@@ -46,7 +46,8 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
   const Primitive& source = *region.region().primitives()[primitive];
   BoundaryPiece piece{primitive, source.name, source.function, true};
   const Side side = side_of(primitive, region);
-  if (side == Side::both || extends_beyond_piece(primitive, region, bounds)) {
+  SignTree tree(region, bounds);
+  if (side == Side::both || extends_beyond_piece(primitive, tree)) {
     piece.whole = false;
     const BooleanExpression decides = (with & !without) | ((!with) & without);
     piece.function =
@@ -55,7 +56,7 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
   }
   if (side == Side::negative) piece.function = -source.function;
   // In another part of a union the primitive has the other sign; nowhere in the region is it 0.
-  if (has_sign_within(primitive, side == Side::negative, region, bounds))
+  if (has_sign_within(primitive, side == Side::negative, tree))
     piece.function = abs(source.function);
   return piece;
 }

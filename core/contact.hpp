@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/region.hpp"
+#include "core/sign_tree.hpp"
 
 namespace rfm {
 
@@ -22,29 +22,27 @@ enum class Contact {
   obtuse,  ///< they meet at an interior angle beyond 90°, or tangentially from the same side
 };
 
-/// Decided by branch and bound: boxes where neither a sign nor the region's membership is proved
-/// are halved, and common zeros near those left over are found by Newton's method.
-Contact contact(const Factor& a, const Factor& b, const RegionEvaluator& region, const Box& bounds);
+/// Decided by branch and bound: boxes of the tree where neither a sign nor the region's membership
+/// is proved are halved, and common zeros near those left over are found by Newton's method.
+Contact contact(const Factor& a, const Factor& b, SignTree& tree);
 
 /// Whether the boundary of a factor may meet the closed region (false is proved).
-bool meets_region(const Factor& factor, const RegionEvaluator& region, const Box& bounds);
+bool meets_region(const Factor& factor, SignTree& tree);
 
 /// A point in the closed region and on {primitive = 0} where the region's membership does not
 /// depend on that primitive's sign may exist (false is proved): then the primitive's zero set goes
 /// on into the region beyond the piece of boundary that it contributes.
-bool extends_beyond_piece(int primitive, const RegionEvaluator& region, const Box& bounds);
+bool extends_beyond_piece(int primitive, SignTree& tree);
 
 /// Whether the primitive may be positive (`positive`) or negative (not) somewhere in the region
 /// (false is proved).
-bool has_sign_within(int primitive, bool positive, const RegionEvaluator& region,
-                     const Box& bounds);
+bool has_sign_within(int primitive, bool positive, SignTree& tree);
 
 /// Whether the zero sets of two primitives may meet inside the region, where its membership depends
 /// on neither (false is proved).
-bool may_cross_within(int first, int second, const RegionEvaluator& region, const Box& bounds);
+bool may_cross_within(int first, int second, SignTree& tree);
 
 /// Whether `function` may be zero or negative somewhere in the region (false is proved).
-bool may_vanish_within(const LevelFunction& function, const RegionEvaluator& region,
-                       const Box& bounds);
+bool may_vanish_within(const LevelFunction& function, SignTree& tree);
 
 }  // namespace rfm

@@ -84,8 +84,8 @@ bool contains(const Factor& factor, int primitive) {
 
 // Groups of conjuncts connected by pairs that must not multiply: those that meet at obtuse angles,
 // and those with a scale for the corner of theirs.
-std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluator& region,
-                        const Box& bounds, bool always_multiply, const Pairs& corners) {
+std::vector<int> groups(const std::vector<Factor>& factors, SignTree& tree, bool always_multiply,
+                        const Pairs& corners) {
   std::vector<int> group(factors.size());
   std::iota(group.begin(), group.end(), 0);
   const auto must_join = [&](const Factor& a, const Factor& b) {
@@ -93,7 +93,7 @@ std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluato
       return (contains(a, corner.first) && contains(b, corner.second)) ||
              (contains(a, corner.second) && contains(b, corner.first));
     });
-    return is_scaled || (!always_multiply && contact(a, b, region, bounds) == Contact::obtuse);
+    return is_scaled || (!always_multiply && contact(a, b, tree) == Contact::obtuse);
   };
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (std::size_t j = i + 1; j < factors.size(); ++j) {
@@ -105,8 +105,7 @@ std::vector<int> groups(const std::vector<Factor>& factors, const RegionEvaluato
 }
 
 // Pairs of primitives with a scale for the corner where they meet.
-Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literals,
-                     const RegionEvaluator& region, const Box& bounds) {
+Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literals, SignTree& tree) {
   Pairs pairs;
   for (const CornerScale& corner : options.corner_scales) {
     if (!(corner.scale > 0))
@@ -114,7 +113,7 @@ Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literal
                             " must be positive, got " + std::to_string(corner.scale));
     for (const int a : literals.named(corner.first))
       for (const int b : literals.named(corner.second)) {
-        if (a == b || may_cross_within(a, b, region, bounds))
+        if (a == b || may_cross_within(a, b, tree))
           throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
                                 " cannot be scaled: they meet inside the region");
         pairs.emplace_back(a, b);
@@ -221,10 +220,10 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression) {
 Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
               const WeightOptions& options) {
   const WeightLiterals literals(region.region(), options);
-  if (options.cap &&
-      may_vanish_within(LevelFunction(*options.cap, bounds.dimension), region, bounds))
+  SignTree tree(region, bounds);
+  if (options.cap && may_vanish_within(LevelFunction(*options.cap, bounds.dimension), tree))
     throw InvalidArgument("the cap of a weight must be positive all over the region");
-  const Pairs corners = scaled_corners(options, literals, region, bounds);
+  const Pairs corners = scaled_corners(options, literals, tree);
   const BooleanExpression normal = without_redundancy(simplified(expression, region, bounds));
   Weight result{1.0, ""};
   if (const auto* system = std::get_if<RSystem>(&options.rule)) {
@@ -236,10 +235,10 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
   for (const BooleanExpression& conjunct : conjuncts(normal)) {
     if (selects_only(conjunct, region.region())) continue;
     const Factor factor = as_factor(conjunct);
-    if (meets_region(factor, region, bounds)) factors.push_back(factor);
+    if (meets_region(factor, tree)) factors.push_back(factor);
   }
   const bool always = std::holds_alternative<ProductRule>(options.rule);
-  const std::vector<int> group = groups(factors, region, bounds, always, corners);
+  const std::vector<int> group = groups(factors, tree, always, corners);
   const auto* plateau = std::get_if<PlateauRule>(&options.rule);
   for (std::size_t first = 0; first < factors.size(); ++first) {
     if (group[first] != static_cast<int>(first)) continue;
