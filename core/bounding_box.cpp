@@ -202,6 +202,17 @@ Box bounding_box(const RegionEvaluator& region) {
     }
     return next;
   };
+  if (const std::optional<Box>& known = region.region().enclosure()) {
+    // Enlarged, so that the region does not end on the sides of the box that is searched.
+    box = *known;
+    for (int axis = 0; axis < dimension; ++axis) {
+      if (!(box.length(axis) >= 0)) throw InvalidArgument("the region is empty");
+      const double margin = 1e-3 * known->longest_side();
+      box.low[axis] -= margin;
+      box.high[axis] += margin;
+    }
+    return contract(1e-13, Trim::by_reach);
+  }
   // From the horizon inwards, a factor of about 20 at a time; where bounds over so large boxes are
   // too weak to shrink it, more finely.
   for (double tolerance = 0.05; tolerance > 1e-4;) {

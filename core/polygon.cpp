@@ -119,6 +119,17 @@ std::vector<BooleanExpression> expressions_of(const std::vector<CleanContour>& c
   return expressions;
 }
 
+Box box_of(const std::vector<std::vector<Point>>& contours) {
+  Box box{2, contours[0][0], contours[0][0]};
+  for (const std::vector<Point>& points : contours)
+    for (const Point& point : points)
+      for (int axis = 0; axis < 2; ++axis) {
+        box.low[axis] = std::min(box.low[axis], point[axis]);
+        box.high[axis] = std::max(box.high[axis], point[axis]);
+      }
+  return box;
+}
+
 }  // namespace
 
 Outline polygon(const std::vector<Contour>& contours) {
@@ -137,7 +148,7 @@ Outline polygon(const std::vector<Contour>& contours) {
   std::vector<std::vector<Point>> points;
   for (const CleanContour& contour : clean) points.push_back(contour.points);
   BooleanExpression whole = nested_expression(points, expressions);
-  return {Region(2, std::move(primitives), std::move(whole)),
+  return {Region(2, std::move(primitives), std::move(whole)).within(box_of(points)),
           sides_of(contours, edges, groups, names)};
 }
 

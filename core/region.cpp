@@ -41,6 +41,12 @@ Region Region::with_expression(BooleanExpression expression) const {
   return Region(dimension_, primitives_, std::move(expression));
 }
 
+Region Region::within(const Box& box) const {
+  Region region = *this;
+  region.enclosure_ = box;
+  return region;
+}
+
 template <class Operator>
 Region Region::combined(const Region& a, const Region& b, Operator&& combine) {
   if (a.dimension_ != b.dimension_)
@@ -57,17 +63,51 @@ Region Region::combined(const Region& a, const Region& b, Operator&& combine) {
                 combine(a.expression_, b.expression_.renamed(number_in_union)));
 }
 
+namespace {
+
+// The smallest box that holds both, or the part that they share (with negative sides if none is).
+Box joined(Box a, const Box& b) {
+  for (int axis = 0; axis < a.dimension; ++axis) {
+    a.low[axis] = std::min(a.low[axis], b.low[axis]);
+    a.high[axis] = std::max(a.high[axis], b.high[axis]);
+  }
+  return a;
+}
+Box shared(Box a, const Box& b) {
+  for (int axis = 0; axis < a.dimension; ++axis) {
+    a.low[axis] = std::max(a.low[axis], b.low[axis]);
+    a.high[axis] = std::min(a.high[axis], b.high[axis]);
+  }
+  return a;
+}
+std::optional<Box> of_union(const Region& a, const Region& b) {
+  if (!a.enclosure() || !b.enclosure()) return {};
+  return joined(*a.enclosure(), *b.enclosure());
+}
+
+}  // namespace
+
 Region operator&(const Region& a, const Region& b) {
-  return Region::combined(a, b, [](const auto& p, const auto& q) { return p & q; });
+  Region region = Region::combined(a, b, [](const auto& p, const auto& q) { return p & q; });
+  region.enclosure_ = a.enclosure_ && b.enclosure_ ? shared(*a.enclosure_, *b.enclosure_)
+                      : a.enclosure_               ? a.enclosure_
+                                                   : b.enclosure_;
+  return region;
 }
 Region operator|(const Region& a, const Region& b) {
-  return Region::combined(a, b, [](const auto& p, const auto& q) { return p | q; });
+  Region region = Region::combined(a, b, [](const auto& p, const auto& q) { return p | q; });
+  region.enclosure_ = of_union(a, b);
+  return region;
 }
 Region operator-(const Region& a, const Region& b) {
-  return Region::combined(a, b, [](const auto& p, const auto& q) { return p & !q; });
+  Region region = Region::combined(a, b, [](const auto& p, const auto& q) { return p & !q; });
+  region.enclosure_ = a.enclosure_;
+  return region;
 }
 Region operator^(const Region& a, const Region& b) {
-  return Region::combined(a, b, [](const auto& p, const auto& q) { return p ^ q; });
+  Region region = Region::combined(a, b, [](const auto& p, const auto& q) { return p ^ q; });
+  region.enclosure_ = of_union(a, b);
+  return region;
 }
 Region operator!(const Region& a) { return Region(a.dimension_, a.primitives_, !a.expression_); }
 

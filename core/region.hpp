@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,11 @@ class Region {
   /// The same primitives, combined otherwise. Throws `InvalidArgument` if the expression has more
   /// variables than there are primitives.
   Region with_expression(BooleanExpression expression) const;
+  /// The same region, of which it is known that it lies in `box`; what is known is passed on by
+  /// & | - ^. Where many primitives bound a region together, as the edges of a polygon do, finding
+  /// its bounding box from afar is expensive.
+  Region within(const Box& box) const;
+  const std::optional<Box>& enclosure() const { return enclosure_; }
 
   friend Region operator&(const Region& a, const Region& b);
   friend Region operator|(const Region& a, const Region& b);
@@ -63,6 +69,7 @@ class Region {
   int dimension_;
   std::vector<std::shared_ptr<const Primitive>> primitives_;
   BooleanExpression expression_;
+  std::optional<Box> enclosure_;
 };
 
 Region operator&(const Region& a, const Region& b);

@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.hpp"
+#include "core/polygon.hpp"
 #include "core/primitives.hpp"
 
 namespace rfm {
@@ -153,6 +156,49 @@ TEST(BoundingBox, EveryPointOfTheRegionIsInside) {
   for (double a = -1.5; a < 1.5; a += 0.013)
     for (double b = -1.5; b < 1.5; b += 0.013)
       EXPECT_TRUE(!region.contains(Point{a, b}) || box.contains({a, b})) << a << ", " << b;
+}
+
+// A box that is known beforehand only tells where to search.
+TEST(BoundingBox, DoesNotDependOnHowMuchIsKnownBeforehand) {
+  const Region lens = circle({0, 0}, 1) & circle({1.2, 0.3}, 0.9);
+  const Box searched = bounding_box(RegionEvaluator(lens));
+  for (const double margin : {0.0, 0.1, 30.0}) {
+    Box known = searched;
+    for (int axis = 0; axis < 2; ++axis) known.low[axis] -= margin, known.high[axis] += 2 * margin;
+    const Box found = bounding_box(RegionEvaluator(lens.within(known)));
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_NEAR(found.low[axis], searched.low[axis], 1e-11 * (1 + margin));
+      EXPECT_NEAR(found.high[axis], searched.high[axis], 1e-11 * (1 + margin));
+    }
+  }
+}
+
+TEST(BoundingBox, OfAPolygonOfManyEdgesIsThatOfItsPoints) {
+  constexpr int edges = 1000;  // a search from afar calls this one unbounded
+  std::vector<Point> points;
+  Box box{2, {1, 1}, {-1, -1}};
+  for (int k = 0; k < edges; ++k) {
+    const double radius = k % 2 == 0 ? 1 : 0.6, angle = 2 * std::numbers::pi * (k + 0.3) / edges;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    for (int axis = 0; axis < 2; ++axis) {
+      box.low[axis] = std::min(box.low[axis], points.back()[axis]);
+      box.high[axis] = std::max(box.high[axis], points.back()[axis]);
+    }
+  }
+  expect_box(polygon(points), box.low, box.high, 1e-12);
+  // Cut in half, its known box is too large. (The cut leaves out the highest point.)
+  box.low = {0, 1}, box.high = {1, -1};
+  for (const Point& point : points)
+    if (point[0] > 0)
+      box.low[1] = std::min(box.low[1], point[1]), box.high[1] = std::max(box.high[1], point[1]);
+  box.high[0] = std::ranges::max(points, {}, [](const Point& p) { return p[0]; })[0];
+  expect_box(polygon(points) & half_plane({0, 0}, {1, 0}), box.low, box.high, 1e-12);
+}
+
+TEST(BoundingBox, OfPartsThatAreKnownToLieApartIsRefusedAsEmpty) {
+  const Region a = circle({0, 0}, 1).within({2, {-1, -1}, {1, 1}});
+  const Region b = circle({5, 0}, 1).within({2, {4, -1}, {6, 1}});
+  EXPECT_THROW(bounding_box(RegionEvaluator(a & b)), InvalidArgument);
 }
 
 TEST(BoundingBox, UnboundedRegionsAreRefusedWithTheirDirection) {

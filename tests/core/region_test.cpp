@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
@@ -48,6 +49,30 @@ TEST(Region, OperatorsAreThoseOfSets) {
       EXPECT_EQ(one.contains(at), p != q);
       EXPECT_EQ(outside.contains(at), !p);
     }
+}
+
+TEST(Region, EnclosuresFollowTheOperatorsOfSets) {
+  const auto known = [](double from, double to) {
+    return box({from, from}, {to, to}).within({2, {from, from}, {to, to}});
+  };
+  const Region a = known(0, 2), b = known(1, 4), unknown = half_plane({0, 0}, {1, 0});
+  const auto is = [](const Region& region, double from, double to) {
+    const std::optional<Box>& box = region.enclosure();
+    if (!box) return false;
+    return box->low[0] == from && box->low[1] == from && box->high[0] == to && box->high[1] == to;
+  };
+  EXPECT_TRUE(is(a & b, 1, 2));
+  EXPECT_TRUE(is(a | b, 0, 4));
+  EXPECT_TRUE(is(a ^ b, 0, 4));
+  EXPECT_TRUE(is(b - a, 1, 4));
+  EXPECT_TRUE(is(a & unknown, 0, 2));
+  EXPECT_TRUE(is(unknown & a, 0, 2));
+  EXPECT_TRUE(is(a.named("plate"), 0, 2));
+  EXPECT_FALSE((a | unknown).enclosure());
+  EXPECT_FALSE((unknown - a).enclosure());
+  EXPECT_FALSE((a ^ unknown).enclosure());
+  EXPECT_FALSE((!a).enclosure());
+  EXPECT_FALSE(a.with_expression(!a.expression()).enclosure());
 }
 
 TEST(Region, OnlyRegionsOfOneDimensionCombine) {
