@@ -1,6 +1,6 @@
 #include "core/jet.hpp"
-#include "core/jet_powers.hpp"
 #include "core/jet_piecewise.hpp"
+#include "core/jet_powers.hpp"
 #include "core/jet_r_functions.hpp"
 
 #include <gmock/gmock.h>

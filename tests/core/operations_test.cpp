@@ -8,8 +8,8 @@
 #include "core/box.hpp"
 #include "tests/core/operation_rows.hpp"
 
-// Bounds of every row of the table: what they enclose and how tight they are. Values and derivatives
-// are the matter of conformance_test.cpp.
+// Bounds of every row of the table: what they enclose and how tight they are. Values and
+// derivatives are the matter of conformance_test.cpp.
 namespace rfm {
 namespace {
 

@@ -27,7 +27,8 @@ TEST(WorstCells, AreThoseWithCurvedParts) {
   EXPECT_EQ(only[0].position, (std::array{7, 7, 0}));
   EXPECT_NEAR(only[0].center[0], 0.5, 1e-15);
   EXPECT_NEAR(only[0].center[1], 0.5, 1e-15);
-  EXPECT_EQ(only[0].report.order_difference.volume, one.report().order_difference.volume);
+  // The straight sides differ by rounding.
+  EXPECT_NEAR(only[0].report.order_difference.volume, one.report().order_difference.volume, 1e-15);
   EXPECT_GT(only[0].divergence_defect, 0);
 
   const DomainRule two =

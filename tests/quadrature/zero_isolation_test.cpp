@@ -107,10 +107,9 @@ TEST(ZeroIsolation, RandomLinesCrossWhereCramersRuleSays) {
   EXPECT_GT(found, 100);
 }
 
-TEST(ZeroIsolation, ABoxIsNotSettledByAZeroOutsideOfIt) {
+TEST(ZeroIsolation, NoZeroIsLostWhereNewtonsMethodLeavesTheBox) {
   // sin has a slope of one sign on (−π/2, π/2) only. Newton's method leads from the centre of most
-  // boxes out of them, to a zero from which nothing may be concluded unless Jacobians are bounded
-  // on the way to it as well: no zero may be lost, at any place of the box.
+  // boxes out of them; every zero must be found all the same, wherever it lies in the box.
   for (int k = 0; k < 200; ++k) {
     const double low = -20 + 0.0917 * k, high = low + 7.3 + 0.031 * k;
     const ZeroSet set = zeros_of({sin(x()), y() - 0.1 * x()}, {2, {low, -4}, {high, 4}});
