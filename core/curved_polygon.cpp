@@ -215,6 +215,18 @@ class CurvedPolygonBuilder {
   std::map<int, int> branch_of_;  // of a conic, the separator of its branches, or −1
 };
 
+// A box around the corners of the hulls of all pieces.
+Box box_of(const std::vector<std::vector<CurvePiece>>& contours) {
+  Box box{2, contours[0][0].from, contours[0][0].from};
+  for (const std::vector<CurvePiece>& pieces : contours)
+    for (const Point& point : outline_of(pieces))
+      for (int axis = 0; axis < 2; ++axis) {
+        box.low[axis] = std::min(box.low[axis], point[axis]);
+        box.high[axis] = std::max(box.high[axis], point[axis]);
+      }
+  return box;
+}
+
 }  // namespace
 
 Outline curved_polygon(const std::vector<CurvedContour>& contours) {
@@ -224,6 +236,7 @@ Outline curved_polygon(const std::vector<CurvedContour>& contours) {
   for (const CurvedContour& contour : contours) pieces.push_back(cleaned(contour, edges));
   std::vector<std::string> names;
   for (const CurvedEdge& edge : edges) names.push_back(edge.name);
+  const Box enclosure = box_of(pieces);
   constexpr int most_rounds = 12;
   for (int round = 0; round < most_rounds; ++round) {
     const auto links = divided(pieces, names);
@@ -235,8 +248,8 @@ Outline curved_polygon(const std::vector<CurvedContour>& contours) {
         for (auto& points = chords.emplace_back(); const ContourLink& link : contour)
           points.push_back(link.start);
       std::vector<OutlineSide> sides = builder.sides();
-      return {Region(2, builder.primitives(), nested_expression(chords, *expressions)),
-              std::move(sides)};
+      const Region region(2, builder.primitives(), nested_expression(chords, *expressions));
+      return {region.within(enclosure), std::move(sides)};
     }
     for (std::size_t c = 0; c < pieces.size(); ++c) {
       pieces[c].clear();

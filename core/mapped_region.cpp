@@ -35,6 +35,26 @@ Point turned(int i, const Point& axis, double angle) {
   return result;
 }
 
+// The box around the image of a box: the sides of the image are those of the turned edges.
+Box moved_box(const Box& box, const Similarity& similarity, const Point& direction) {
+  Point center{}, reach{};
+  for (int k = 0; k < box.dimension; ++k) {
+    const Point e = turned(k, direction, similarity.angle);
+    const double offset = 0.5 * (box.low[k] + box.high[k]) - similarity.about[k];
+    for (int i = 0; i < box.dimension; ++i) {
+      center[i] += similarity.scale * e[i] * offset;
+      reach[i] += 0.5 * similarity.scale * std::fabs(e[i]) * box.length(k);
+    }
+  }
+  Box image = box;
+  for (int i = 0; i < box.dimension; ++i) {
+    const double middle = similarity.about[i] + similarity.translation[i] + center[i];
+    image.low[i] = middle - reach[i];
+    image.high[i] = middle + reach[i];
+  }
+  return image;
+}
+
 }  // namespace
 
 Region mapped_region(const Region& region,
@@ -86,13 +106,15 @@ Region transformed(const Region& region, const Similarity& similarity) {
                         (coordinate(k) - (similarity.about[k] + similarity.translation[k]));
     map.push_back(back);
   }
-  return mapped_region(region, [&](const Primitive& primitive) {
+  const Region image = mapped_region(region, [&](const Primitive& primitive) {
     Primitive moved = primitive;
     const bool same = primitive.function.same_as(primitive.level);
     moved.function = similarity.scale * compose(primitive.function, map);
     moved.level = same ? moved.function : compose(primitive.level, map);
     return MappedPrimitive(Region(std::move(moved), dimension));
   });
+  return region.enclosure() ? image.within(moved_box(*region.enclosure(), similarity, direction))
+                            : image;
 }
 
 }  // namespace rfm

@@ -1,5 +1,6 @@
 #include "core/profile_bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -138,6 +139,19 @@ bool keeps_off_axis(const Region& profile) {
   return RegionEvaluator(profile).contains(axis) == Truth::no;
 }
 
+// The box around a box of the profile turned about the axis: two disks, and what is between them.
+Box turned_box(const Box& profile, const Point& center, const Point& axis) {
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  Box box{3, center, center};
+  for (int i = 0; i < 3; ++i) {
+    const double along = axis[i] / length;
+    const double radius = profile.high[0] * std::sqrt(std::max(0.0, 1 - along * along));
+    box.low[i] += std::min(along * profile.low[1], along * profile.high[1]) - radius;
+    box.high[i] += std::max(along * profile.low[1], along * profile.high[1]) + radius;
+  }
+  return box;
+}
+
 MappedPrimitive revolved(const Primitive& primitive, const Meridian& at, bool off_axis) {
   if (const std::optional<Quadric> q = as_quadric(primitive.level, 2)) {
     const EvenAndOdd parts(*q);
@@ -172,18 +186,22 @@ Region extrusion(const Region& profile, double from, double to) {
   const Field start = z_coordinate() - from, end = to - z_coordinate();
   const Region column =
       mapped_region(profile, [](const Primitive& primitive) { return Region(primitive, 3); });
-  return column & side("start", start, start) & side("end", end, end);
+  const Region body = column & side("start", start, start) & side("end", end, end);
+  if (!profile.enclosure()) return body;
+  const auto& [dimension, low, high] = *profile.enclosure();
+  return body.within({3, {low[0], low[1], from}, {high[0], high[1], to}});
 }
 
 Region revolution(const Region& profile, const Point& center, const Point& axis) {
   require_plane(profile);
   const Meridian at = meridian(center, axis);
   const bool off_axis = keeps_off_axis(profile);
-  return mapped_region(profile, [&](const Primitive& primitive) {
-    MappedPrimitive body = revolved(primitive, at, off_axis);
-    if (primitive.joins_smoothly && body.region) body.region = joining_smoothly(*body.region);
-    return body;
+  const Region body = mapped_region(profile, [&](const Primitive& primitive) {
+    MappedPrimitive turned = revolved(primitive, at, off_axis);
+    if (primitive.joins_smoothly && turned.region) turned.region = joining_smoothly(*turned.region);
+    return turned;
   });
+  return profile.enclosure() ? body.within(turned_box(*profile.enclosure(), center, axis)) : body;
 }
 
 }  // namespace rfm

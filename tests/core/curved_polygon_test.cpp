@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/r_functions.hpp"
@@ -31,6 +32,10 @@ void expect_right(const CurvedContour& contour, RandomPolygons& random, int poin
       high[axis] = std::max(high[axis], p[axis]);
     }
   const double size = std::max(high[0] - low[0], high[1] - low[1]);
+  for (int axis = 0; axis < 2; ++axis) {
+    ASSERT_LE(region.enclosure()->low[axis], low[axis] + 1e-12 * size);
+    ASSERT_GE(region.enclosure()->high[axis], high[axis] - 1e-12 * size);
+  }
   const Tape tape({function}, {0}, 2);
   const auto value = [&](const Point& p) { return tape.value(p); };
   for (int i = 0; i < points; ++i) {
@@ -80,6 +85,23 @@ TEST(CurvedPolygons, OfTwoPointsAreLensesAndCircles) {
   const Region disk = curved_polygon({{{{-1, 0}, {1, 0}}, {{1.0}, {1.0}}}}).region;
   RandomPolygons again(3);
   expect_right({{{-1, 0}, {1, 0}}, {{1.0}, {1.0}}}, again, 300);
+}
+
+TEST(CurvedPolygons, HaveTheBoundingBoxOfTheirArcs) {
+  const auto expect = [](const CurvedContour& contour, const Point& low, const Point& high) {
+    const Region region = curved_polygon({contour}).region;
+    ASSERT_TRUE(region.enclosure());
+    const Box found = bounding_box(RegionEvaluator(region));
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_LE(region.enclosure()->low[axis], low[axis]);
+      EXPECT_GE(region.enclosure()->high[axis], high[axis]);
+      EXPECT_NEAR(found.low[axis], low[axis], 1e-12);
+      EXPECT_NEAR(found.high[axis], high[axis], 1e-12);
+    }
+  };
+  expect(stadium(), {-0.5, 0}, {2.5, 1});
+  // An arc of sagitta 1.25 over a chord of 1, of radius 0.725.
+  expect({{{0, 0}, {1, 0}}, {{}, {2.5}}}, {-0.225, 0}, {1.225, 1.25});
 }
 
 TEST(CurvedPolygons, InflectionsWithACommonTangent) {

@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <vector>
 
+#include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/mapped_region.hpp"
+#include "core/polygon.hpp"
 #include "core/primitives.hpp"
 
 namespace rfm {
@@ -144,6 +149,57 @@ TEST(Extrusion, HoldsThePointsAboveItsProfile) {
   EXPECT_FALSE(body.contains(Point{0.5, 0.5, 0.99}));
   EXPECT_EQ(plate.primitives().back()->name, "end");
   EXPECT_EQ(plate.primitives().front()->name, "disk");
+}
+
+// What is known of a profile is known of its bodies: the star is too many-sided to be enclosed from
+// afar.
+TEST(ProfileBodies, AreEnclosedAsTheirProfilesAre) {
+  constexpr int edges = 300;
+  std::vector<Point> points;
+  for (int k = 0; k < edges; ++k) {
+    const double radius = k % 2 == 0 ? 1 : 0.6, angle = 2 * std::numbers::pi * (k + 0.3) / edges;
+    points.push_back({3 + radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  const auto extent = [&](auto&& measure) {
+    std::vector<double> values;
+    for (const Point& point : points) values.push_back(measure(point));
+    const auto [low, high] = std::ranges::minmax(values);
+    return Interval{low, high};
+  };
+  const Interval across = extent([](const Point& p) { return p[0]; });
+  const Interval along = extent([](const Point& p) { return p[1]; });
+  const auto expect = [](const Region& region, std::vector<Interval> sides) {
+    ASSERT_TRUE(region.enclosure());
+    const Box& box = *region.enclosure();
+    ASSERT_EQ(box.dimension, region.dimension());
+    for (int axis = 0; axis < box.dimension; ++axis) {
+      EXPECT_NEAR(box.low[axis], sides[axis].low, 1e-14) << axis;
+      EXPECT_NEAR(box.high[axis], sides[axis].high, 1e-14) << axis;
+    }
+  };
+  const Region star = polygon(points);
+  expect(extrusion(star, -1, 2), {across, along, {-1, 2}});
+  const double outer = across.high;
+  expect(revolution(star, {1, 2, 3}, {0, 0, 2}),
+         {{1 - outer, 1 + outer}, {2 - outer, 2 + outer}, {3 + along.low, 3 + along.high}});
+  expect(revolution(star, {1, 2, 3}, {-1, 0, 0}),
+         {{1 - along.high, 1 - along.low}, {2 - outer, 2 + outer}, {3 - outer, 3 + outer}});
+  Similarity quarter;
+  quarter.scale = 2, quarter.angle = std::numbers::pi / 2, quarter.about = {1, 1, 0};
+  quarter.translation = {0.5, 0, 0};
+  expect(transformed(star, quarter), {{1.5 - 2 * (along.high - 1), 1.5 - 2 * (along.low - 1)},
+                                      {1 + 2 * (across.low - 1), 1 + 2 * (across.high - 1)}});
+  // Turned otherwise, the box is too large, and the search goes on from it.
+  Similarity turn;
+  turn.angle = 0.4;
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  const Box found = bounding_box(RegionEvaluator(transformed(star, turn)));
+  const Interval x = extent([&](const Point& p) { return c * p[0] - s * p[1]; });
+  const Interval y = extent([&](const Point& p) { return s * p[0] + c * p[1]; });
+  EXPECT_NEAR(found.low[0], x.low, 1e-12);
+  EXPECT_NEAR(found.high[0], x.high, 1e-12);
+  EXPECT_NEAR(found.low[1], y.low, 1e-12);
+  EXPECT_NEAR(found.high[1], y.high, 1e-12);
 }
 
 TEST(Transform, MovesPointsAsItSays) {
