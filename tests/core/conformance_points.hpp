@@ -13,8 +13,8 @@ std::vector<Row> conformance_rows();
 
 /// Arguments that are nasty for some operation: zeros of both signs, denormals, ±1e300, ends of
 /// domains, multiples of π/2, whole numbers and the neighbours of all of these; and among them, at
-/// all scales, random ones, equal ones and nearly equal ones. The first are the same for every
-/// count.
+/// all scales, random ones, equal ones and nearly equal ones: a seeded sample, half of it special
+/// until all special numbers are in.
 std::vector<Arguments> nasty_arguments(int arity, int count, std::mt19937_64& generator);
 
 }  // namespace rfm
