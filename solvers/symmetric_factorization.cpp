@@ -176,6 +176,9 @@ Eigen::VectorXd SymmetricFactorization::solve(const Eigen::VectorXd& right_hand_
 }
 
 SymmetricFactorization::Method SymmetricFactorization::method() const { return factors_->method; }
+int SymmetricFactorization::negative_eigenvalues() const {
+  return factors_->ldlt ? static_cast<int>((factors_->ldlt->pivots().array() < 0).count()) : 0;
+}
 double SymmetricFactorization::smallest_eigenvalue() const { return factors_->smallest_eigenvalue; }
 
 }  // namespace rfm

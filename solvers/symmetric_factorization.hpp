@@ -44,6 +44,9 @@ class SymmetricFactorization {
   /// Not to be called by two threads at once: CHOLMOD keeps its state in the factorisation.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
   Method method() const;
+  /// The number of negative eigenvalues, as the signs of the pivots tell (J. J. Sylvester's law of
+  /// inertia): of K − σ M the number of eigenvalues of K x = λ M x below σ.
+  int negative_eigenvalues() const;
   /// The smallest |eigenvalue|, from above, by two steps of inverse iteration (within a factor of
   /// two, usually): for a matrix of unit diagonal about the reciprocal of its condition number.
   double smallest_eigenvalue() const;

@@ -1,0 +1,60 @@
+#include "solvers/equations.hpp"
+
+#include "solvers/assembly.hpp"
+#include "solvers/solution.hpp"
+
+namespace rfm {
+
+Equations::Equations(std::vector<Structure> structures, std::vector<TensorProductSpace> spaces,
+                     EquationTerms terms, const DomainRule& rule)
+    : structures_(std::move(structures)),
+      spaces_(std::move(spaces)),
+      terms_(std::move(terms)),
+      rule_(rule) {}
+
+int Equations::size() const {
+  int size = 0;
+  for (const TensorProductSpace& space : spaces_) size += space.size();
+  return size;
+}
+
+LinearSystem Equations::assembled(std::span<const Contribution> terms, double time) const {
+  return assemble(structures_, spaces_, terms, rule_, {time, {}});
+}
+
+const LinearSystem& Equations::steady() const {
+  if (!steady_) steady_ = assembled(terms_.stiffness, 0);
+  return *steady_;
+}
+
+const SparseMatrix& Equations::damping() const {
+  if (!damping_) damping_ = assembled(terms_.damping, 0).matrix;
+  return *damping_;
+}
+
+const SparseMatrix& Equations::mass() const {
+  if (!mass_) mass_ = assembled(terms_.mass, 0).matrix;
+  return *mass_;
+}
+
+Eigen::VectorXd Equations::load(double time) const {
+  return time == 0 ? steady().right_hand_side : assembled(terms_.stiffness, time).right_hand_side;
+}
+
+Eigen::VectorXd Equations::residual(const Eigen::VectorXd& coefficients, double time) const {
+  return stiffness().selfadjointView<Eigen::Lower>() * coefficients - load(time);
+}
+
+std::vector<Field> Equations::fields(const Eigen::VectorXd& coefficients) const {
+  return solution_fields(structures_, spaces_, coefficients);
+}
+
+Structure homogeneous_part(const Structure& structure) {
+  Structure result;
+  for (const Structure::Term& term : structure.terms())
+    result =
+        result + term.coefficient * partial(Structure::undetermined(term.unknown), term.derivative);
+  return result;
+}
+
+}  // namespace rfm

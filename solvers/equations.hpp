@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "basis/tensor_product_space.hpp"
+#include "core/field.hpp"
+#include "quadrature/domain_rule.hpp"
+#include "solution_structures/structure.hpp"
+#include "solvers/field_arguments.hpp"
+#include "solvers/integrand.hpp"
+#include "solvers/linear_system.hpp"
+
+namespace rfm {
+
+/// What a problem integrates, each term an energy ½ dᵀ C d − bᵀ d over a part of the domain or its
+/// boundary: ½ uᵀ K u − fᵀ u, ½ u'ᵀ C u' and ½ u'ᵀ M u'.
+struct EquationTerms {
+  std::vector<Contribution> stiffness;  ///< with the loads
+  std::vector<Contribution> damping{};
+  std::vector<Contribution> mass{};
+};
+
+/// The equations of a problem on one grid, before it is said what is asked of them:
+///
+///     M c'' + C c' + K c = f(t)
+///
+/// for the coefficients c of the undetermined functions. Studies are drivers over it: the steady
+/// one solves K c = f, eigenvalues are those of K and M, time integration takes M or C, K and f(t).
+/// Matrices are assembled when first asked for, once. The rule must outlive the equations.
+///
+///     Equations heat({omega * psi}, {space}, {.stiffness = {conduction}, .damping = {capacity}},
+///     rule); const LinearSolution steady = solve(heat.steady());
+class Equations {
+ public:
+  /// `structures[c]` is component c of the solution, `spaces[k]` holds undetermined function k.
+  Equations(std::vector<Structure> structures, std::vector<TensorProductSpace> spaces,
+            EquationTerms terms, const DomainRule& rule);
+
+  int size() const;
+  const std::vector<Structure>& structures() const { return structures_; }
+  const std::vector<TensorProductSpace>& spaces() const { return spaces_; }
+  const EquationTerms& terms() const { return terms_; }
+  const DomainRule& rule() const { return rule_; }
+
+  /// K and f at time 0.
+  const LinearSystem& steady() const;
+  /// Lower triangles; zero where there are no such terms.
+  const SparseMatrix& stiffness() const { return steady().matrix; }
+  const SparseMatrix& damping() const;
+  const SparseMatrix& mass() const;
+  /// f(t). Inhomogeneous parts of structures that depend on time would also load through M and C:
+  /// they are not covered.
+  Eigen::VectorXd load(double time) const;
+  /// K c − f(t), whose derivative with respect to c is `stiffness()`.
+  Eigen::VectorXd residual(const Eigen::VectorXd& coefficients, double time) const;
+  /// The solution with these coefficients, one field per component.
+  std::vector<Field> fields(const Eigen::VectorXd& coefficients) const;
+
+ private:
+  LinearSystem assembled(std::span<const Contribution> terms, double time) const;
+
+  std::vector<Structure> structures_;
+  std::vector<TensorProductSpace> spaces_;
+  EquationTerms terms_;
+  const DomainRule& rule_;
+  mutable std::optional<LinearSystem> steady_;
+  mutable std::optional<SparseMatrix> damping_, mass_;
+};
+
+/// The structure without its inhomogeneous part: differences of two functions of that form.
+Structure homogeneous_part(const Structure& structure);
+
+}  // namespace rfm
