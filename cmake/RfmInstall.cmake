@@ -27,4 +27,6 @@ configure_package_config_file(
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/rfmConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rfmConfig.cmake ${PROJECT_BINARY_DIR}/rfmConfigVersion.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake DESTINATION ${rfm_package_folder})
+              ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindSPQR.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindUMFPACK.cmake DESTINATION ${rfm_package_folder})

@@ -57,8 +57,9 @@ LinearSystem assemble(std::span<const Structure> structures,
   int degree = 0;
   for (const TensorProductSpace& space : spaces) degree = std::max(degree, space.degree());
   const CellTiles tiles(rule.grid(), degree);
-  AssemblySums sums{
-      StencilMatrix(spaces, plan.coupled), {}, std::vector<CompensatedSum>(tiles.count())};
+  AssemblySums sums{StencilMatrix(spaces, plan.coupled, plan.symmetric),
+                    {},
+                    std::vector<CompensatedSum>(tiles.count())};
   sums.right_hand_side = Eigen::VectorXd::Zero(sums.matrix.offsets().back());
 
   using Integrators = std::vector<std::unique_ptr<TileIntegrator>>;
@@ -76,7 +77,8 @@ LinearSystem assemble(std::span<const Structure> structures,
   LinearSystem system;
   system.matrix = sums.matrix.compress();
   system.right_hand_side = std::move(sums.right_hand_side);
-  system.elimination_order = nested_dissection(spaces);
+  system.symmetric = plan.symmetric;
+  if (plan.symmetric) system.elimination_order = nested_dissection(spaces);
   CompensatedSum constant;
   for (const CompensatedSum& tile : sums.constants) constant.add(tile.value());
   system.constant = constant.value();

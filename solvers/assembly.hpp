@@ -29,11 +29,11 @@ std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree = 1
 /// - `contributions` are integrated with `rule`: those over the volume with its points in cells,
 ///   those over the boundary with its boundary points.
 ///
-/// The matrix is symmetric (its lower triangle is returned); unknowns are ordered function by
-/// function. Parallel over tiles of cells; the result does not depend on the number of threads.
-/// Cost on one core, with u = ω Ψ and two or three slots: about 2.5 µs per cell inside for degree 3
-/// in the plane, 10 µs for degree 2 in space.
-/// Throws `InvalidArgument` when grids differ or an unknown or component does not exist, and
+/// The matrix is symmetric (its lower triangle is returned) unless a contribution has couplings;
+/// unknowns are ordered function by function. Parallel over tiles of cells; the result does not
+/// depend on the number of threads. Cost on one core, with u = ω Ψ and two or three slots:
+/// about 2.5 µs per cell inside for degree 3 in the plane, 10 µs for degree 2 in space. Throws
+/// `InvalidArgument` when grids differ or an unknown or component does not exist, and
 /// `ComputationError`, with the point and the name of the quantity, where a coefficient is not
 /// finite.
 LinearSystem assemble(std::span<const Structure> structures,

@@ -7,8 +7,8 @@
 namespace rfm {
 
 CellKernel::CellKernel(const CompiledIntegrand& integrand,
-                       std::span<const TensorProductSpace> spaces)
-    : integrand_(integrand) {
+                       std::span<const TensorProductSpace> spaces, bool symmetric)
+    : integrand_(integrand), symmetric_(symmetric) {
   const int unknowns = static_cast<int>(spaces.size());
   for (const TensorProductSpace& space : spaces)
     padded_.push_back(padded(space.functions_per_cell()));
@@ -37,15 +37,15 @@ CellKernel::CellKernel(const CompiledIntegrand& integrand,
     right->terms.emplace_back(entry, left);
   };
   for (int e = 0; e < static_cast<int>(integrand.stiffness().size()); ++e) {
-    const int row = integrand.stiffness()[e].row, column = integrand.stiffness()[e].column;
+    const auto& [row, column, terms, mirrored] = integrand.stiffness()[e];
     for (int left = 0; left < static_cast<int>(left_.size()); ++left) {
       if (left_[left].slot == column) add_right(row, e, left);
-      if (left_[left].slot == row && row != column) add_right(column, e, left);
+      if (left_[left].slot == row && row != column && mirrored) add_right(column, e, left);
     }
   }
 
   for (int k = 0; k < unknowns; ++k)
-    for (int l = 0; l <= k; ++l) {
+    for (int l = 0; l <= (symmetric ? k : unknowns - 1); ++l) {
       Pairing pairing{k, l, {}};
       for (int i = 0; i < static_cast<int>(left_.size()); ++i)
         for (int j = 0; j < static_cast<int>(right_.size()); ++j)
@@ -65,7 +65,7 @@ void CellKernel::add_loads() {
   for (const auto& entry : integrand_.load()) loaded[entry.slot] = true;
   for (const auto& entry : integrand_.stiffness()) {
     if (integrand_.inhomogeneous()[entry.column] >= 0) loaded[entry.row] = true;
-    if (integrand_.inhomogeneous()[entry.row] >= 0) loaded[entry.column] = true;
+    if (entry.mirrored && integrand_.inhomogeneous()[entry.row] >= 0) loaded[entry.column] = true;
   }
   const auto add_unique = [](std::vector<int>& list, int number) {
     const auto place = std::find(list.begin(), list.end(), number);
@@ -92,7 +92,8 @@ void CellKernel::compute(const IntegrandValues& values, int first, const BasisVa
     pairs_.clear();
     for (const auto& [left, right] : slots)
       pairs_.push_back({left_[left].data.data(), right_[right].data.data()});
-    outer_products(pairs_, points, padded_[k], padded_[l], k == l, matrices_[i].data());
+    outer_products(pairs_, points, padded_[k], padded_[l], symmetric_ && k == l,
+                   matrices_[i].data());
   }
   for (std::vector<double>& load : loads_) std::fill(load.begin(), load.end(), 0.0);
   for (const auto& [derivative, place] : load_terms_)

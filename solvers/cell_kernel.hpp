@@ -16,14 +16,17 @@ namespace rfm {
 /// Blocks of slots and unknowns that vanish are known beforehand and skipped. One per thread.
 class CellKernel {
  public:
-  /// Interaction of two undetermined functions, row ≥ column.
+  /// Interaction of two undetermined functions; of a symmetric matrix, row ≥ column.
   struct Pairing {
     int row_unknown = 0, column_unknown = 0;
     /// Places in `left` and `right` for each slot over which the product sums.
     std::vector<std::pair<int, int>> slots;
   };
 
-  CellKernel(const CompiledIntegrand& integrand, std::span<const TensorProductSpace> spaces);
+  /// Only the lower triangle is computed if the whole matrix is `symmetric`, which one integrand
+  /// cannot know.
+  CellKernel(const CompiledIntegrand& integrand, std::span<const TensorProductSpace> spaces,
+             bool symmetric);
 
   const std::vector<Pairing>& pairings() const { return pairings_; }
   /// Unknowns that have a load.
@@ -33,7 +36,7 @@ class CellKernel {
   void compute(const IntegrandValues& values, int first, const BasisValues& basis);
 
   /// Matrix of pairing i: matrix(i)[b + a · stride(i)] for row function b and column function a.
-  /// For an unknown with itself only b ≥ a is set.
+  /// For an unknown with itself only b ≥ a is set if the matrix is symmetric.
   const double* matrix(int pairing) const { return matrices_[pairing].data(); }
   int stride(int pairing) const { return padded_[pairings_[pairing].row_unknown]; }
   /// Load of unknown loaded()[i].
@@ -58,6 +61,7 @@ class CellKernel {
   void combine(std::vector<double>& result, int points, int length) const;
 
   const CompiledIntegrand& integrand_;
+  bool symmetric_;
   std::vector<int> padded_;
   std::vector<Left> left_;
   std::vector<Right> right_;

@@ -11,8 +11,8 @@
 
 namespace rfm {
 
-/// A quadratic energy of u with the solution structure put in: the slots are affine in derivatives
-/// of the undetermined functions,
+/// A contribution with the solution structure put in: the slots are affine in derivatives of the
+/// undetermined functions,
 ///
 ///     d_s = g_s + Σ_m M_{s,m} ∂^{β_m} Ψ_{k_m},
 ///
@@ -36,6 +36,7 @@ class CompiledIntegrand {
   struct StiffnessEntry {
     int row = 0, column = 0;
     std::vector<NormalTerm> terms;
+    bool mirrored = true;  ///< C(column, row) is the same; else this is a coupling, row the test's
   };
   struct LoadEntry {
     int slot = 0;
@@ -68,9 +69,11 @@ class CompiledIntegrand {
 
  private:
   int scalar(const Field& field, const std::string& name, std::vector<Field>& roots);
+  int slot(const Slot& slot, std::span<const Structure> structures, std::vector<Field>& roots);
   int basis_derivative(int unknown, const MultiIndex& derivative);
 
   Contribution contribution_;
+  std::vector<Slot> slots_;
   std::vector<BasisDerivative> basis_derivatives_;
   std::vector<MapEntry> map_;
   std::vector<int> inhomogeneous_;

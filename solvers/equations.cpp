@@ -42,6 +42,7 @@ Eigen::VectorXd Equations::load(double time) const {
 }
 
 Eigen::VectorXd Equations::residual(const Eigen::VectorXd& coefficients, double time) const {
+  if (!steady().symmetric) return stiffness() * coefficients - load(time);
   return stiffness().selfadjointView<Eigen::Lower>() * coefficients - load(time);
 }
 

@@ -89,7 +89,19 @@ class QuadraticEnergy {
   std::vector<Load> load_;
 };
 
-/// An energy and where it is integrated.
+/// A term c ∂^trial u ∂^test v of a weak form, with the test function v, that does not follow from
+/// an energy: advection, or the tangent of a weak form at a state.
+struct Coupling {
+  Slot test, trial;
+  Coefficient coefficient;
+};
+
+/// An energy, and perhaps terms of a weak form beside it, and where they are integrated: the
+/// equations are
+///
+///     Σ ∫ d(v)ᵀ (C d(u) − b) + Σ ∫ c ∂^trial u ∂^test v = 0        for all v,
+///
+/// the first sum being the derivative of the energy. With couplings the matrix is not symmetric.
 struct Contribution {
   enum class Place { volume, boundary, interface };
   QuadraticEnergy energy;
@@ -100,6 +112,7 @@ struct Contribution {
   /// Only where this field is ≥ 0. Quadrature does not know of the step, so that a field that
   /// changes sign within a cell costs order; split the primitive to keep it.
   std::optional<Field> where{};
+  std::vector<Coupling> couplings{};
 };
 
 }  // namespace rfm

@@ -71,18 +71,18 @@ void IntegrandValues::evaluate(IntegrandPoints& points, double time,
     for (int q = 0; q < count; ++q) constant_[q] -= load[q] * g[q];
   }
   for (std::size_t e = 0; e < integrand_.stiffness().size(); ++e) {
-    const auto& [row, column, terms] = integrand_.stiffness()[e];
+    const auto& [row, column, terms, mirrored] = integrand_.stiffness()[e];
     const auto add = [&](int s, int t) {
       if (inhomogeneous[t] < 0) return;
       const double* g = scalar(inhomogeneous[t]);
       double* load = &slot_load_[std::size_t(s) * capacity_];
       for (int q = 0; q < count; ++q) load[q] -= stiffness(int(e))[q] * g[q];
-      if (inhomogeneous[s] < 0) return;
+      if (inhomogeneous[s] < 0 || !mirrored) return;
       const double* other = scalar(inhomogeneous[s]);
       for (int q = 0; q < count; ++q) constant_[q] += 0.5 * stiffness(int(e))[q] * g[q] * other[q];
     };
     add(row, column);
-    if (row != column) add(column, row);
+    if (row != column && mirrored) add(column, row);
   }
   std::fill(load_.begin(), load_.end(), 0.0);
   for (const CompiledIntegrand::MapEntry& entry : integrand_.map()) {

@@ -5,6 +5,8 @@
 
 #include "core/error.hpp"
 #include "solvers/conjugate_gradient.hpp"
+#include "solvers/equilibration.hpp"
+#include "solvers/general_factorization.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
@@ -66,27 +68,67 @@ Eigen::VectorXd solve_scaled(const ScaledSystem& system, const LinearSolverOptio
                   result.iterations, result.relative_residual));
 }
 
+// A function that nothing holds must not carry a load.
+void require_no_load(const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& factors) {
+  for (Eigen::Index i = 0; i < right_hand_side.size(); ++i)
+    if (factors[i] == 0 && std::abs(right_hand_side[i]) > 1e-150)
+      throw ComputationError(
+          "the system of equations is singular: a part of the solution has a load but no stiffness "
+          "(is a coefficient zero there?)");
+}
+
+void require_finite(const Eigen::VectorXd& coefficients) {
+  if (!coefficients.allFinite())
+    throw ComputationError("the solution of the system of equations is not finite");
+}
+
+// Whether a function without energy of its own interacts with others, as the pressure of a saddle
+// point does: it must not be dropped.
+bool has_saddle(const SparseMatrix& lower, const Eigen::VectorXd& factors) {
+  for (Eigen::Index column = 0; column < lower.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+      if ((factors[column] == 0 || factors[entry.row()] == 0) && std::abs(entry.value()) > 1e-150)
+        return true;
+  return false;
+}
+
+// R K C y = R f, with c = C y.
+LinearSolution solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& load) {
+  const Equilibration scaling(matrix);
+  require_no_load(load, scaling.rows);
+  const SparseMatrix scaled = scaling.apply(matrix);
+  const Eigen::VectorXd right_hand_side = scaling.rows.cwiseProduct(load);
+  const GeneralFactorization factorization(scaled);
+  const Eigen::VectorXd solution = factorization.solve(right_hand_side);
+  LinearSolution result;
+  result.method = LinearSolution::Method::lu;
+  result.dropped = scaling.dropped;
+  result.smallest_eigenvalue = factorization.smallest_singular_value();
+  result.coefficients = scaling.columns.cwiseProduct(solution);
+  require_finite(result.coefficients);
+  const double size = right_hand_side.norm();
+  if (size > 0) result.relative_residual = (right_hand_side - scaled * solution).norm() / size;
+  return result;
+}
+
 }  // namespace
 
 LinearSolution solve(const LinearSystem& system, const LinearSolverOptions& options) {
   if (!system.right_hand_side.allFinite())
     throw ComputationError("the right-hand side contains a number that is not finite");
+  if (!system.symmetric) return solve_general(system.matrix, system.right_hand_side);
   const DiagonalScaling scaling(system.matrix);
+  if (scaling.dropped > 0 && has_saddle(system.matrix, scaling.factors))
+    return solve_general(system.matrix.selfadjointView<Eigen::Lower>(), system.right_hand_side);
   const ScaledSystem scaled{scaling.apply(system.matrix),
                             scaling.factors.cwiseProduct(system.right_hand_side),
                             system.elimination_order};
-  // A function without energy that carries a load has no stationary point.
-  for (Eigen::Index i = 0; i < system.right_hand_side.size(); ++i)
-    if (scaling.factors[i] == 0 && std::abs(system.right_hand_side[i]) > 1e-150)
-      throw ComputationError(
-          "the system of equations is singular: a part of the solution has a load but no stiffness "
-          "(is a coefficient zero there?)");
+  require_no_load(system.right_hand_side, scaling.factors);
   LinearSolution result;
   result.dropped = scaling.dropped;
   const Eigen::VectorXd solution = solve_scaled(scaled, options, result);
   result.coefficients = scaling.factors.cwiseProduct(solution);
-  if (!result.coefficients.allFinite())
-    throw ComputationError("the solution of the system of equations is not finite");
+  require_finite(result.coefficients);
   const double size = scaled.right_hand_side.norm();
   if (size > 0) result.relative_residual = scaled.residual(solution).norm() / size;
   return result;

@@ -26,7 +26,7 @@ struct LinearSolverOptions {
 };
 
 struct LinearSolution {
-  enum class Method { cholesky, ldlt, conjugate_gradient };
+  enum class Method { cholesky, ldlt, conjugate_gradient, lu, qr };
   Eigen::VectorXd coefficients;
   /// ‖f − K c‖ / ‖f‖ in the scaled system; 0 if f = 0.
   double relative_residual = 0;
@@ -34,11 +34,13 @@ struct LinearSolution {
   int dropped = 0;
   Method method = Method::cholesky;
   int iterations = 0;  ///< of conjugate gradients
-  /// Of the scaled matrix, estimated by direct methods: below about 10⁻¹¹ digits are being lost.
+  /// Of the scaled matrix, estimated by direct methods (the smallest singular value of matrices
+  /// that are not symmetric): below about 10⁻¹¹ digits are being lost.
   double smallest_eigenvalue = 0;
 };
 
-/// The stationary point of a quadratic energy: K c = f, scaled symmetrically by its diagonal.
+/// K c = f. Of a symmetric K, the stationary point of a quadratic energy, scaled symmetrically by
+/// its diagonal; else by a factorisation with pivoting, rows and columns scaled to equal size.
 /// Throws `ComputationError` if the system is singular, contains numbers that are not finite, or
 /// conjugate gradients were asked for and do not converge.
 LinearSolution solve(const LinearSystem& system, const LinearSolverOptions& options = {});

@@ -6,8 +6,8 @@
 
 namespace rfm {
 StencilMatrix::StencilMatrix(std::span<const TensorProductSpace> spaces,
-                             const std::vector<bool>& coupled)
-    : spaces_(spaces), offsets_{0}, block_number_(coupled.size(), -1) {
+                             const std::vector<bool>& coupled, bool symmetric)
+    : spaces_(spaces), symmetric_(symmetric), offsets_{0}, block_number_(coupled.size(), -1) {
   const int count = static_cast<int>(spaces.size());
   for (const TensorProductSpace& space : spaces) {
     if (!same_grid(space.grid(), spaces[0].grid()))
@@ -15,7 +15,7 @@ StencilMatrix::StencilMatrix(std::span<const TensorProductSpace> spaces,
     offsets_.push_back(offsets_.back() + space.size());
   }
   for (int k = 0; k < count; ++k)
-    for (int l = 0; l <= k; ++l) {
+    for (int l = 0; l <= (symmetric ? k : count - 1); ++l) {
       if (!coupled[k * count + l] && k != l) continue;
       block_number_[k * count + l] = static_cast<int>(blocks_.size());
       Block& block = blocks_.emplace_back();
@@ -24,7 +24,7 @@ StencilMatrix::StencilMatrix(std::span<const TensorProductSpace> spaces,
       for (int axis = 0; axis < spaces[k].dimension(); ++axis)
         block.width[axis] = spaces[k].degree() + spaces[l].degree() + 1;
       const int lines = block.width[1] * block.width[2];
-      block.first_line = k == l ? lines / 2 : 0;
+      block.first_line = k == l && symmetric ? lines / 2 : 0;
       block.column_size = std::size_t(lines - block.first_line) * block.width[0];
       block.values.assign(block.column_size * spaces[l].size(), 0.0);
     }
@@ -66,7 +66,7 @@ void StencilMatrix::visit_column(int unknown, int function, Visit&& visit) const
   const TensorProductSpace& columns = spaces_[unknown];
   const std::array<int, 3> place = columns.place(columns.spline_of_function(function));
   const int q = columns.degree(), dimension = columns.dimension();
-  for (int k = unknown; k < count; ++k) {
+  for (int k = symmetric_ ? unknown : 0; k < count; ++k) {
     const int number = block_number_[k * count + unknown];
     if (number < 0) continue;
     const Block& block = blocks_[number];
@@ -78,7 +78,7 @@ void StencilMatrix::visit_column(int unknown, int function, Visit&& visit) const
       const int z = place[2] + line / block.width[1] - (dimension > 2 ? q : 0);
       if (y < 0 || y >= rows.splines(1) || z < 0 || z >= rows.splines(2)) continue;
       // On the centre line of a diagonal block, entries before the centre are above the diagonal.
-      const int begin = k == unknown && line == block.first_line ? q : 0;
+      const int begin = symmetric_ && k == unknown && line == block.first_line ? q : 0;
       const double* run = column + std::size_t(line - block.first_line) * block.width[0];
       for (int i = begin; i < block.width[0]; ++i) {
         const int x = place[0] + i - q;

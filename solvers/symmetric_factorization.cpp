@@ -17,14 +17,14 @@ static_assert(std::is_same_v<SuiteSparse_long, std::int64_t>);
 constexpr double smallest_diagonal = 1e-300;
 constexpr double singular_eigenvalue = 1e-14;  // an exact zero comes out as some 1e-16
 
-[[noreturn]] void throw_singular() {
+}  // namespace
+
+void throw_singular() {
   throw ComputationError(
       "the system of equations is singular: the problem does not determine its solution. Perhaps a "
       "condition is missing (with fluxes prescribed on the whole boundary a solution is determined "
       "up to a constant only), or two undetermined functions describe the same thing");
 }
-
-}  // namespace
 
 DiagonalScaling::DiagonalScaling(const SparseMatrix& lower) : factors(lower.diagonal()) {
   for (double& entry : factors) {

@@ -8,6 +8,9 @@
 
 namespace rfm {
 
+/// Throws the `ComputationError` of a singular system.
+[[noreturn]] void throw_singular();
+
 /// Orderings that reduce fill, from the graph of the matrix alone: AMD is quicker in the plane; in
 /// space METIS has less fill.
 enum class Ordering { amd, metis };

@@ -20,12 +20,14 @@ AssemblyPlan::AssemblyPlan(std::span<const Structure> structures,
       arguments(arguments),
       rule(rule),
       index(rule),
+      symmetric(std::all_of(contributions.begin(), contributions.end(),
+                            [](const Contribution& part) { return part.couplings.empty(); })),
       coupled(spaces.size() * spaces.size(), false) {
   integrands.reserve(contributions.size());  // basis values refer to them
   for (const Contribution& contribution : contributions) {
     const CompiledIntegrand& integrand =
         integrands.emplace_back(contribution, structures, rule.dimension());
-    const CellKernel kernel(integrand, spaces);
+    const CellKernel kernel(integrand, spaces, symmetric);
     for (const auto& [row, column, slots] : kernel.pairings())
       coupled[row * spaces.size() + column] = true;
     inside_values.emplace_back(spaces, integrand.basis_derivatives());
@@ -40,7 +42,7 @@ TileIntegrator::TileIntegrator(const AssemblyPlan& plan, int integrand)
       inside_values_(plan.inside_values[integrand]),
       capacity_(std::max(batch_points, inside_values_.points())),
       values_(plan.integrands[integrand], capacity_),
-      kernel_(plan.integrands[integrand], plan.spaces),
+      kernel_(plan.integrands[integrand], plan.spaces, plan.symmetric),
       basis_(plan.spaces, plan.integrands[integrand].basis_derivatives()) {}
 
 void TileIntegrator::integrate(const CellTiles& tiles, int tile, AssemblySums& sums) {

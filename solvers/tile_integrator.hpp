@@ -22,7 +22,9 @@ struct AssemblyPlan {
   std::vector<CompiledIntegrand> integrands;
   /// Basis functions at the points of any cell inside, per integrand.
   std::vector<BasisValues> inside_values;
-  /// coupled[k · n + l]: undetermined functions k ≥ l interact.
+  /// No contribution has couplings.
+  bool symmetric = true;
+  /// coupled[k · n + l]: undetermined functions k and l (k ≥ l if symmetric) interact.
   std::vector<bool> coupled;
 
   AssemblyPlan(std::span<const Structure> structures, std::span<const TensorProductSpace> spaces,

@@ -1,0 +1,191 @@
+#include "solvers/collocation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/tape.hpp"
+#include "solvers/basis_values.hpp"
+#include "solvers/cell_points.hpp"
+#include "solvers/equations.hpp"
+#include "solvers/solution.hpp"
+#include "solvers/sparse_qr.hpp"
+
+namespace rfm {
+namespace {
+
+using Place = Contribution::Place;
+using Triplets = std::vector<Eigen::Triplet<double, std::int64_t>>;
+
+// The rows of one residual of a form.
+class ResidualRows {
+ public:
+  ResidualRows(const Form& form, const Form::ResidualRow& residual,
+               std::span<const Structure> changes, std::span<const TensorProductSpace> spaces,
+               const DomainRule& rule)
+      : place_(form.place()),
+        spaces_(spaces),
+        rule_(rule),
+        index_(rule),
+        integrand_(contribution(form, residual), changes, rule.dimension()),
+        basis_(spaces, integrand_.basis_derivatives()),
+        value_({residual.value}, {0}, rule.dimension()),
+        workspace_(value_) {
+    for (const TensorProductSpace& space : spaces)
+      offsets_.push_back(offsets_.back() + space.size());
+  }
+
+  void add(Triplets& entries, std::vector<double>& right_hand_side) {
+    const Grid& grid = rule_.grid();
+    for (int cell = 0; cell < grid.cell_count(); ++cell) {
+      points_.clear();
+      if (place_.place != Place::volume)
+        index_.add_surface(place_.place, index_.surface_range(place_.place, cell), place_.numbers,
+                           points_);
+      else if (rule_.state(cell) == CellState::inside)
+        index_.add_inside(cell, points_);
+      else if (rule_.state(cell) == CellState::cut)
+        index_.add_cut(index_.cut_range(cell), points_);
+      if (points_.size() > 0) add_cell(cell, entries, right_hand_side);
+    }
+  }
+
+ private:
+  static Contribution contribution(const Form& form, const Form::ResidualRow& residual) {
+    Contribution part;
+    part.place = form.place().place;
+    part.numbers = form.place().numbers;
+    part.where = form.place().where;
+    for (const auto& [slot, slope] : residual.slopes) part.energy.add_load(slot, slope);
+    return part;
+  }
+
+  void add_cell(int cell, Triplets& entries, std::vector<double>& right_hand_side) {
+    const int count = points_.size();
+    for (double& weight : points_.weights) weight = std::sqrt(std::max(weight, 0.0));
+    IntegrandValues values(integrand_, count);
+    values.evaluate(points_, 0, {});
+    basis_.evaluate(cell, points_, 0, count);
+    const std::int64_t first_row = static_cast<std::int64_t>(right_hand_side.size());
+    add_values(right_hand_side);
+    for (int k = 0; k < static_cast<int>(spaces_.size()); ++k) {
+      const TensorProductSpace& space = spaces_[k];
+      functions_.resize(space.functions_per_cell());
+      space.cell_functions(cell, functions_);
+      for (int q = 0; q < count; ++q)
+        for (int f = 0; f < static_cast<int>(functions_.size()); ++f) {
+          if (functions_[f] < 0) continue;
+          double sum = 0;
+          for (int m = 0; m < static_cast<int>(integrand_.basis_derivatives().size()); ++m)
+            if (integrand_.basis_derivatives()[m].unknown == k)
+              sum += values.load(m)[q] * basis_.values(m)[f + q * basis_.padded_functions(k)];
+          if (sum != 0) entries.emplace_back(first_row + q, offsets_[k] + functions_[f], sum);
+        }
+    }
+  }
+
+  // Minus the residual; weights are those of points that count.
+  void add_values(std::vector<double>& right_hand_side) {
+    for (int first = 0; first < points_.size(); first += Tape::block_size) {
+      PointBlock block;
+      block.count = std::min(Tape::block_size, points_.size() - first);
+      for (int axis = 0; axis < rule_.dimension(); ++axis)
+        block.coordinates[axis] = points_.coordinates[axis].data() + first;
+      value_.evaluate(block, workspace_);
+      for (int q = 0; q < block.count; ++q) {
+        const double weight = points_.weights[first + q];
+        const double value = weight > 0 ? weight * workspace_.coefficient(0)[q] : 0;
+        if (!std::isfinite(value))
+          throw ComputationError(
+              fmt::format("a residual is not a number at the point ({:.6g}, {:.6g}, {:.6g})",
+                          points_.coordinates[0][first + q],
+                          rule_.dimension() > 1 ? points_.coordinates[1][first + q] : 0,
+                          rule_.dimension() > 2 ? points_.coordinates[2][first + q] : 0));
+        right_hand_side.push_back(-value);
+      }
+    }
+  }
+
+  FormPlace place_;
+  std::span<const TensorProductSpace> spaces_;
+  const DomainRule& rule_;
+  CellPointIndex index_;
+  CompiledIntegrand integrand_;
+  BasisValues basis_;
+  Tape value_;
+  Tape::Workspace workspace_;
+  IntegrandPoints points_;
+  std::vector<int> functions_;
+  std::vector<int> offsets_{0};
+};
+
+}  // namespace
+
+CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> components,
+                            std::span<const Structure> changes,
+                            std::span<const TensorProductSpace> spaces, const DomainRule& rule) {
+  Triplets entries;
+  std::vector<double> right_hand_side;
+  for (const Form& form : forms)
+    for (const Form::ResidualRow& residual : form.residual_rows(components))
+      ResidualRows(form, residual, changes, spaces, rule).add(entries, right_hand_side);
+  Eigen::Index columns = 0;
+  for (const TensorProductSpace& space : spaces) columns += space.size();
+  CollocationSystem system;
+  system.right_hand_side = Eigen::Map<const Eigen::VectorXd>(
+      right_hand_side.data(), static_cast<Eigen::Index>(right_hand_side.size()));
+  system.matrix.resize(system.right_hand_side.size(), columns);
+  system.matrix.setFromTriplets(entries.begin(), entries.end());
+  return system;
+}
+
+NewtonSolution solve_collocation(std::span<const Structure> structures,
+                                 std::span<const TensorProductSpace> spaces,
+                                 std::span<const Form> forms, const DomainRule& rule,
+                                 const NewtonOptions& options) {
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  NewtonSolution solution;
+  solution.linear.method = LinearSolution::Method::qr;
+  const bool is_linear = std::ranges::all_of(forms, &Form::is_linear);
+  const auto at = [&](const Eigen::VectorXd& coefficients) {
+    return collocate(forms, solution_fields(structures, spaces, coefficients), changes, spaces,
+                     rule);
+  };
+  Eigen::Index size = 0;
+  for (const TensorProductSpace& space : spaces) size += space.size();
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(size);
+  CollocationSystem system = at(coefficients);
+  for (int i = 0; i < options.largest_iteration_count; ++i) {
+    NewtonIteration& iteration = solution.iterations.emplace_back();
+    iteration.residual = system.right_hand_side.norm();
+    const Eigen::VectorXd step = least_squares_solution(system.matrix, system.right_hand_side);
+    const double whole = (coefficients + step).norm();
+    iteration.step = whole > 0 ? step.norm() / whole : 0;
+    if (is_linear || iteration.step <= options.tolerance) {
+      coefficients += step;
+      if (is_linear) solution.iterations.clear();
+      solution.linear.coefficients = std::move(coefficients);
+      return solution;
+    }
+    for (;; iteration.damping /= 2) {
+      if (iteration.damping < options.smallest_damping)
+        throw ComputationError(
+            "Gauss's and Newton's method does not converge: the residuals fall "
+            "no further along the step");
+      const Eigen::VectorXd next = coefficients + iteration.damping * step;
+      system = at(next);
+      if (system.right_hand_side.norm() <= iteration.residual * (1 + 1e-10)) {
+        coefficients = next;
+        break;
+      }
+    }
+  }
+  throw ComputationError(
+      fmt::format("Gauss's and Newton's method does not converge: no solution after {} steps",
+                  solution.iterations.size()));
+}
+
+}  // namespace rfm

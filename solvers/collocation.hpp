@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "basis/tensor_product_space.hpp"
+#include "quadrature/domain_rule.hpp"
+#include "solution_structures/structure.hpp"
+#include "solvers/form.hpp"
+#include "solvers/newton.hpp"
+
+namespace rfm {
+
+/// The residuals of a form at the points of a rule, as functions of the coefficients of a change of
+/// the solution: right_hand_side − matrix · change, with one row for each residual and point, times
+/// the root of the weight of the point.
+struct CollocationSystem {
+  SparseMatrix matrix;
+  Eigen::VectorXd right_hand_side;
+};
+
+/// Residuals of `forms` (least squares, others are refused with `InvalidArgument`) and their
+/// derivatives where the solution is `components`; `changes` are structures without inhomogeneous
+/// part. Residuals over the volume are taken at the points of the rule in cells, those over the
+/// boundary at its boundary points.
+CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> components,
+                            std::span<const Structure> changes,
+                            std::span<const TensorProductSpace> spaces, const DomainRule& rule);
+
+/// Collocation: the equations hold at points, more of them than there are unknowns (Gauss points
+/// of a rule with few points per cell, on the boundary too), in the sense of least squares, by a
+/// Q R factorisation (solvers/sparse_qr.hpp). Nonlinear residuals by Gauss's and Newton's method,
+/// as in `solve_newton`, to which `options` belong. As exact as least squares with integrals, from
+/// fewer points, and conditioned as the root of their normal equations.
+NewtonSolution solve_collocation(std::span<const Structure> structures,
+                                 std::span<const TensorProductSpace> spaces,
+                                 std::span<const Form> forms, const DomainRule& rule,
+                                 const NewtonOptions& options = {});
+
+}  // namespace rfm

@@ -1,0 +1,237 @@
+#include "solvers/form.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "core/composition.hpp"
+#include "core/error.hpp"
+#include "core/field_node.hpp"
+#include "core/graph_derivative.hpp"
+#include "core/graph_walk.hpp"
+
+namespace rfm {
+namespace {
+
+bool is_slot(const Field& field) {
+  return field.node().operation == Operation::coordinate && field.node().index >= 4;
+}
+
+bool has_slots(const Field& formula) {
+  std::unordered_set<const Field::Node*> seen;
+  std::vector<Field> pending{formula};
+  while (!pending.empty()) {
+    const Field field = pending.back();
+    pending.pop_back();
+    if (!seen.insert(&field.node()).second) continue;
+    if (is_slot(field)) return true;
+    for (const Field& argument : field.node().arguments) pending.push_back(argument);
+  }
+  return false;
+}
+
+// Slots replaced; what is multiplied by a slot that is nothing is nothing, too.
+Field with_slots(const Field& formula, const std::vector<Field>& slots) {
+  return walked<Field>(
+      formula,
+      [&](const Field& leaf) -> Field {
+        return is_slot(leaf) ? slots[leaf.node().index - 4] : leaf;
+      },
+      [](const Field& field, std::vector<Field> arguments) -> Field {
+        const Field::Node& node = field.node();
+        bool same = true;
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+          same = same && arguments[i].same_as(node.arguments[i]);
+        if (same) return field;
+        // A zero of the formula's own says where it is defined: 0 · log(u) is no number for u < 0.
+        const auto vanished = [&](int i) {
+          return arguments[i].is_constant(0) && !arguments[i].same_as(node.arguments[i]);
+        };
+        if (node.operation == Operation::multiply && (vanished(0) || vanished(1))) return 0.0;
+        if (node.operation == Operation::divide && vanished(0)) return 0.0;
+        return with_arguments(field, std::move(arguments));
+      });
+}
+
+Field derivative(const Field& formula, const SymbolSlot& slot) {
+  return derivative_with_respect_to(formula, slot.field());
+}
+
+}  // namespace
+
+Form Form::energy(const Field& density, FormPlace place) {
+  if (has_test_symbols(density)) throw InvalidArgument("an energy has no test functions");
+  Form form(Kind::energy, std::move(place));
+  SlotNumbering numbering;
+  form.density_ = numbering.replaced(density);
+  form.slots_ = numbering.slots();
+  for (std::size_t s = 0; s < form.slots_.size(); ++s) {
+    const Field slope = derivative(form.density_, form.slots_[s]);
+    if (slope.is_constant(0)) continue;
+    form.residual_.push_back({form.slots_[s].slot, slope});
+    for (std::size_t t = s; t < form.slots_.size(); ++t)
+      form.add_tangent(form.slots_[s].slot, form.slots_[t].slot, derivative(slope, form.slots_[t]));
+  }
+  return form;
+}
+
+Form Form::weak(const Field& density, FormPlace place) {
+  Form form(Kind::weak, std::move(place));
+  SlotNumbering numbering;
+  const Field formula = numbering.replaced(density);
+  form.slots_ = numbering.slots();
+  std::vector<Field> no_test;
+  for (const SymbolSlot& slot : form.slots_) no_test.push_back(slot.is_test ? 0.0 : slot.field());
+  const auto refuse = [] {
+    throw InvalidArgument("a weak form is linear in the test functions: each of its terms has one");
+  };
+  if (!with_slots(formula, no_test).is_constant(0)) refuse();
+  for (const SymbolSlot& test : form.slots_) {
+    if (!test.is_test) continue;
+    const Field flux = derivative(formula, test);
+    for (const SymbolSlot& other : form.slots_)
+      if (other.is_test && !derivative(flux, other).is_constant(0)) refuse();
+    if (flux.is_constant(0)) continue;
+    form.residual_.push_back({test.slot, flux});
+    for (const SymbolSlot& trial : form.slots_)
+      if (!trial.is_test) form.add_tangent(test.slot, trial.slot, derivative(flux, trial));
+  }
+  return form;
+}
+
+Form Form::least_squares(const std::vector<Field>& residuals, const std::vector<Field>& weights,
+                         FormPlace place) {
+  if (!weights.empty() && weights.size() != residuals.size())
+    throw InvalidArgument("least squares take a weight for each residual");
+  Form form(Kind::least_squares, std::move(place));
+  SlotNumbering numbering;
+  std::vector<Field> formulas;
+  for (const Field& residual : residuals) {
+    if (has_test_symbols(residual)) throw InvalidArgument("a residual has no test functions");
+    formulas.push_back(numbering.replaced(residual));
+  }
+  form.slots_ = numbering.slots();
+  const std::size_t count = form.slots_.size();
+  std::vector<Field> forces(count, 0.0);
+  for (std::size_t i = 0; i < formulas.size(); ++i) {
+    const Field weight = weights.empty() ? Field(1.0) : weights[i];
+    form.density_ = form.density_ + 0.5 * weight * formulas[i] * formulas[i];
+    std::vector<Field> slopes;
+    for (const SymbolSlot& slot : form.slots_) slopes.push_back(derivative(formulas[i], slot));
+    ResidualRow& row = form.rows_.emplace_back();
+    row.value = sqrt(weight) * formulas[i];
+    for (std::size_t s = 0; s < count; ++s)
+      if (!slopes[s].is_constant(0))
+        row.slopes.emplace_back(form.slots_[s].slot, sqrt(weight) * slopes[s]);
+    for (std::size_t s = 0; s < count; ++s) {
+      forces[s] = forces[s] + product_or_nothing(weight * slopes[s], formulas[i]);
+      for (std::size_t t = s; t < count; ++t)
+        form.add_tangent(form.slots_[s].slot, form.slots_[t].slot,
+                         weight * product_or_nothing(slopes[s], slopes[t]));
+    }
+  }
+  for (std::size_t s = 0; s < count; ++s)
+    if (!forces[s].is_constant(0)) form.residual_.push_back({form.slots_[s].slot, forces[s]});
+  return form;
+}
+
+void Form::add_tangent(const Slot& test, const Slot& trial, const Field& value) {
+  if (value.is_constant(0)) return;
+  for (TangentEntry& entry : tangent_)
+    if (entry.test == test && entry.trial == trial) {
+      entry.value = entry.value + value;
+      return;
+    }
+  tangent_.push_back({test, trial, value});
+}
+
+bool Form::is_linear() const {
+  return std::ranges::none_of(tangent_,
+                              [](const TangentEntry& entry) { return has_slots(entry.value); });
+}
+
+int Form::derivative_order() const {
+  int order = 0;
+  for (const SymbolSlot& slot : slots_) order = std::max(order, degree(slot.slot.derivative));
+  return order;
+}
+
+Form::Replacement Form::symbols(int dimension) const {
+  Replacement symbols;
+  for (const auto& [slot, is_test, coordinate] : slots_) {
+    const Field symbol = is_test ? test_symbol(slot.component, dimension)
+                                 : unknown_symbol(slot.component, dimension);
+    symbols.push_back(partial(symbol, slot.derivative));
+  }
+  return symbols;
+}
+
+Field Form::residual(const Slot& test, int dimension) const {
+  for (const ResidualEntry& entry : residual_)
+    if (entry.test == test) return with_slots(entry.value, symbols(dimension));
+  return 0.0;
+}
+
+Field Form::tangent(const Slot& test, const Slot& trial, int dimension) const {
+  for (const TangentEntry& entry : tangent_)
+    if ((entry.test == test && entry.trial == trial) ||
+        (kind_ != Kind::weak && entry.test == trial && entry.trial == test))
+      return with_slots(entry.value, symbols(dimension));
+  return 0.0;
+}
+
+Contribution Form::contribution(const Replacement& slots) const {
+  Contribution result;
+  result.place = place_.place;
+  result.numbers = place_.numbers;
+  result.where = place_.where;
+  for (const ResidualEntry& entry : residual_)
+    result.energy.add_load(entry.test, -with_slots(entry.value, slots));
+  for (const TangentEntry& entry : tangent_) {
+    const Field value = with_slots(entry.value, slots);
+    if (kind_ == Kind::weak)
+      result.couplings.push_back({entry.test, entry.trial, value});
+    else
+      result.energy.add_stiffness(entry.test, entry.trial, value);
+  }
+  return result;
+}
+
+Contribution Form::linear() const {
+  if (!is_linear()) throw InvalidArgument("the form is not linear");
+  return contribution(Replacement(slots_.size(), 0.0));
+}
+
+Form::Replacement Form::slots_of(std::span<const Field> components) const {
+  Replacement slots;
+  for (const SymbolSlot& slot : slots_) {
+    if (slot.is_test) {
+      slots.emplace_back(0.0);
+      continue;
+    }
+    if (slot.slot.component >= static_cast<int>(components.size()))
+      throw InvalidArgument("a form asks for a component that the solution does not have");
+    slots.push_back(partial(components[slot.slot.component], slot.slot.derivative));
+  }
+  return slots;
+}
+
+Contribution Form::linearized(std::span<const Field> components) const {
+  return contribution(slots_of(components));
+}
+
+std::vector<Form::ResidualRow> Form::residual_rows(std::span<const Field> components) const {
+  if (kind_ != Kind::least_squares) throw InvalidArgument("only least squares have residuals");
+  const Replacement slots = slots_of(components);
+  std::vector<ResidualRow> rows = rows_;
+  for (ResidualRow& row : rows) {
+    row.value = with_slots(row.value, slots);
+    for (auto& [slot, slope] : row.slopes) slope = with_slots(slope, slots);
+  }
+  return rows;
+}
+
+Field Form::density(std::span<const Field> components) const {
+  return with_slots(density_, slots_of(components));
+}
+
+}  // namespace rfm

@@ -1,0 +1,185 @@
+#include "solvers/newton.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "solvers/assembly.hpp"
+#include "solvers/equations.hpp"
+#include "solvers/equilibration.hpp"
+#include "solvers/solution.hpp"
+#include "solvers/symmetric_factorization.hpp"
+
+namespace rfm {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+// Steps and residuals smaller than this, relatively, are as much rounding as convergence.
+constexpr double rounding = 1e-12;
+// From here on a step is in the region of quadratic convergence, and residuals near rounding need
+// not fall any more.
+constexpr double small_step = 1e-6;
+
+class Newton {
+ public:
+  Newton(std::span<const Structure> structures, std::span<const TensorProductSpace> spaces,
+         std::span<const Form> forms, const DomainRule& rule,
+         const LinearSolverOptions& linear_options, const NewtonOptions& options,
+         const FieldArguments& arguments)
+      : structures_(structures),
+        spaces_(spaces),
+        forms_(forms),
+        rule_(rule),
+        linear_options_(linear_options),
+        options_(options),
+        arguments_(arguments) {
+    for (const Structure& structure : structures) changes_.push_back(homogeneous_part(structure));
+  }
+
+  NewtonSolution solve(const Vector& start) {
+    coefficients_ = start;
+    system_ = assembled(coefficients_);
+    set_scale();
+    const Vector first_residual = system_.right_hand_side;
+    for (int step = 1; step <= options_.load_steps; ++step) {
+      remaining_ = (1 - double(step) / options_.load_steps) * first_residual;
+      iterate();
+    }
+    solution_.linear.coefficients = coefficients_;
+    return std::move(solution_);
+  }
+
+ private:
+  // Tangent, and minus the residual, at a state.
+  LinearSystem assembled(const Vector& coefficients) const {
+    const std::vector<Field> fields = solution_fields(structures_, spaces_, coefficients);
+    std::vector<Contribution> contributions;
+    for (const Form& form : forms_) contributions.push_back(form.linearized(fields));
+    return assemble(changes_, spaces_, contributions, rule_, arguments_);
+  }
+
+  void set_scale() {
+    if (system_.symmetric) {
+      row_scale_ = column_scale_ = DiagonalScaling(system_.matrix).factors;
+      return;
+    }
+    const Equilibration scaling(system_.matrix);
+    row_scale_ = scaling.rows;
+    column_scale_ = scaling.columns;
+  }
+
+  double residual_of(const LinearSystem& system) const {
+    return row_scale_.cwiseProduct(system.right_hand_side - remaining_).norm();
+  }
+
+  double size_of(const Vector& coefficients) const {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < coefficients.size(); ++i)
+      if (column_scale_[i] > 0) sum += std::pow(coefficients[i] / column_scale_[i], 2);
+    return std::sqrt(sum);
+  }
+
+  void iterate() {
+    const std::size_t first = solution_.iterations.size();
+    for (int i = 0; i < options_.largest_iteration_count; ++i) {
+      NewtonIteration& iteration = solution_.iterations.emplace_back();
+      iteration.residual = residual_of(system_);
+      if (iteration.residual == 0) return;
+      const Vector step = full_step(iteration);
+      const double size = size_of(coefficients_ + step);
+      iteration.step = size > 0 ? size_of(step) / size : 0;
+      advance(step, iteration);
+      if (iteration.damping == 1 && iteration.step <= options_.tolerance) return;
+    }
+    fail(fmt::format("no solution after {} steps", solution_.iterations.size() - first));
+  }
+
+  Vector full_step(NewtonIteration& iteration) {
+    LinearSystem system = system_;
+    system.right_hand_side -= remaining_;
+    try {
+      solution_.linear = rfm::solve(system, linear_options_);
+    } catch (const ComputationError& error) {
+      fail(error.what());
+    }
+    iteration.indefinite = solution_.linear.method == LinearSolution::Method::ldlt;
+    return solution_.linear.coefficients;
+  }
+
+  void advance(const Vector& step, NewtonIteration& iteration) {
+    std::string cause;
+    for (double damping = 1; damping >= options_.smallest_damping; damping /= 2) {
+      const Vector next = coefficients_ + damping * step;
+      try {
+        LinearSystem system = assembled(next);
+        const double residual = residual_of(system);
+        const bool falls = residual <= (1 - 0.25 * damping) * iteration.residual ||
+                           (damping == 1 && iteration.step < small_step);
+        if (!falls) continue;
+        iteration.damping = damping;
+        coefficients_ = next;
+        system_ = std::move(system);
+        return;
+      } catch (const ComputationError& error) {
+        cause = error.what();  // a state where the form is not defined: go less far
+      }
+    }
+    fail(cause.empty() ? "the residual falls no further along the step" : cause);
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    std::string text = "Newton's method does not converge: " + reason;
+    const bool indefinite = std::ranges::any_of(solution_.iterations, &NewtonIteration::indefinite);
+    if (indefinite)
+      text +=
+          "; the Hessian of the energy is indefinite on the way, so that steps need not descend";
+    text += " (residuals";
+    const std::size_t count = solution_.iterations.size();
+    for (std::size_t i = count > 6 ? count - 6 : 0; i < count; ++i)
+      text += fmt::format(" {:.1e}", solution_.iterations[i].residual);
+    throw ComputationError(text + "). A better start, load steps or a finer grid may help");
+  }
+
+  std::span<const Structure> structures_;
+  std::span<const TensorProductSpace> spaces_;
+  std::span<const Form> forms_;
+  const DomainRule& rule_;
+  LinearSolverOptions linear_options_;
+  NewtonOptions options_;
+  FieldArguments arguments_;
+  std::vector<Structure> changes_;
+  Vector coefficients_, row_scale_, column_scale_, remaining_;
+  LinearSystem system_;
+  NewtonSolution solution_;
+};
+
+}  // namespace
+
+std::optional<double> NewtonSolution::order() const {
+  std::vector<double> steps;
+  for (const NewtonIteration& iteration : iterations)
+    if (iteration.step > rounding) {
+      if (iteration.damping < 1) steps.clear();
+      if (iteration.damping == 1) steps.push_back(iteration.step);
+    }
+  if (steps.size() < 3) return std::nullopt;
+  const double* last = steps.data() + steps.size() - 3;
+  return std::log(last[2] / last[1]) / std::log(last[1] / last[0]);
+}
+
+NewtonSolution solve_newton(std::span<const Structure> structures,
+                            std::span<const TensorProductSpace> spaces, std::span<const Form> forms,
+                            const DomainRule& rule, const LinearSolverOptions& linear_options,
+                            const NewtonOptions& options, const std::optional<Vector>& start,
+                            const FieldArguments& arguments) {
+  if (options.load_steps < 1) throw InvalidArgument("there is at least one load step");
+  Eigen::Index size = 0;
+  for (const TensorProductSpace& space : spaces) size += space.size();
+  Newton newton(structures, spaces, forms, rule, linear_options, options, arguments);
+  return newton.solve(start.value_or(Vector::Zero(size)));
+}
+
+}  // namespace rfm

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "basis/tensor_product_space.hpp"
+#include "quadrature/domain_rule.hpp"
+#include "solution_structures/structure.hpp"
+#include "solvers/field_arguments.hpp"
+#include "solvers/form.hpp"
+#include "solvers/linear_solver.hpp"
+
+namespace rfm {
+
+struct NewtonOptions {
+  int largest_iteration_count = 30;
+  /// Relative size of a full step below which the solution is found: the error after it is about
+  /// its square.
+  double tolerance = 1e-9;
+  /// Steps are halved until the residual falls; below this part of a step none is found.
+  double smallest_damping = 1.0 / 1024;
+  /// On the way from the start to the solution, the residual R is brought down in so many equal
+  /// parts, R(u) = (1 − s) R(u₀) with s = 1/n, 2/n, …, 1: steps of the load where u₀ = 0.
+  int load_steps = 1;
+};
+
+/// One step of Newton's method.
+struct NewtonIteration {
+  /// ‖S R‖ before the step, S the scaling of the first tangent (the reciprocal square root of its
+  /// diagonal): of an energy, about the error in its norm.
+  double residual = 0;
+  double step = 0;          ///< ‖S⁻¹ δ‖ / ‖S⁻¹ c‖ of the full step δ
+  double damping = 1;       ///< the part of it that was taken
+  bool indefinite = false;  ///< the Hessian of an energy was not positive definite
+};
+
+struct NewtonSolution {
+  LinearSolution linear;  ///< of the last step, with the coefficients of the solution
+  std::vector<NewtonIteration> iterations;
+  /// The order of convergence that the last three full steps show, log(s₃/s₂) / log(s₂/s₁), where
+  /// there are three above rounding: 2 for Newton's method.
+  std::optional<double> order() const;
+};
+
+/// Newton's method for the equations of `forms`: at each state their tangent and residual are
+/// assembled, the linear system solved, and the step shortened until the residual falls. Starts at
+/// `start`, or where all undetermined functions are zero. Quadratic where tangents are exact (all
+/// but least squares with residuals that do not vanish) and the solution is regular.
+/// Throws `ComputationError` when it does not converge, with the reason: a tangent that is
+/// singular, a Hessian that is indefinite, values that are not numbers with their place, or a
+/// residual that falls no further.
+NewtonSolution solve_newton(std::span<const Structure> structures,
+                            std::span<const TensorProductSpace> spaces, std::span<const Form> forms,
+                            const DomainRule& rule, const LinearSolverOptions& linear_options = {},
+                            const NewtonOptions& options = {},
+                            const std::optional<Eigen::VectorXd>& start = {},
+                            const FieldArguments& arguments = {});
+
+}  // namespace rfm

@@ -1,0 +1,104 @@
+#include "solvers/collocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <random>
+
+#include "core/error.hpp"
+#include "solvers/equations.hpp"
+#include "solvers/sparse_qr.hpp"
+#include "tests/solvers/sample_problems.hpp"
+
+namespace rfm {
+namespace {
+
+using namespace test;
+
+const Field x = x_coordinate(), y = y_coordinate();
+const Field u = unknown_symbol(0, 2);
+
+DomainRule rule_with(const Region& region, const Grid& grid, int inside, int cut) {
+  QuadratureOptions options;
+  options.inside_points = inside;
+  options.cut_points = cut;
+  return make_domain_rule(RegionEvaluator(region), grid, options);
+}
+
+// (A c − b)² is the sum over points of what least squares integrate, with the same rule.
+TEST(Collocation, HasTheResidualsOfTheSolutionAtThePoints) {
+  const Grid grid = triangle_grid(5);
+  const DomainRule rule = rule_with(triangle(), grid, 2, 3);
+  const std::vector<TensorProductSpace> spaces{TensorProductSpace(grid, 3, cells_in_region(rule))};
+  const std::vector<Structure> structures{sin(y) + (1.0 + x) * Structure::undetermined()};
+  const std::vector<Structure> changes{homogeneous_part(structures[0])};
+  const std::vector<Form> forms{
+      Form::least_squares({laplacian(u, 2) + x * u - exp(y), partial(u, 0)}, {1.0 + x * x, 3.0}),
+      Form::least_squares({u - y}, {2.0}, {Contribution::Place::boundary, {0, 2}, {}})};
+  Eigen::VectorXd coefficients(spaces[0].size());
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& number : coefficients) number = uniform(generator);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(coefficients.size());
+  const CollocationSystem system =
+      collocate(forms, solution_fields(structures, spaces, zero), changes, spaces, rule);
+  const Field w = solution_fields(structures, spaces, coefficients)[0];
+  const std::vector<Field> solution{w};
+  const double expected =
+      2 * integrate(forms[0].density(solution), rule) +
+      2 * integrate(forms[1].density(solution), rule, {Contribution::Place::boundary, {0, 2}});
+  EXPECT_NEAR((system.matrix * coefficients - system.right_hand_side).squaredNorm(), expected,
+              1e-11 * expected);
+}
+
+// −Δu + u = f on the disk, u = g + ω Ψ with g equal to u on the circle only.
+double error_of(int cells, int degree) {
+  const Field exact = sin(2.0 * x + y) + x * y, omega = 1.0 - x * x - y * y;
+  const Grid grid = Grid::with_square_cells({2, {-1.05, -1.1}, {1.1, 1.02}}, cells);
+  const Region disk = circle({0, 0}, 1);
+  const DomainRule rule = rule_with(disk, grid, std::max(2, degree - 1), degree);
+  const std::vector<TensorProductSpace> spaces{
+      TensorProductSpace(grid, degree, cells_in_region(rule, degree))};
+  const std::vector<Structure> structures{exact + omega * cos(x) +
+                                          omega * Structure::undetermined()};
+  const std::vector<Form> forms{
+      Form::least_squares({u - laplacian(u, 2) - (exact - laplacian(exact, 2))})};
+  const NewtonSolution solution = solve_collocation(structures, spaces, forms, rule);
+  EXPECT_EQ(solution.linear.method, LinearSolution::Method::qr);
+  return norms(solution_fields(structures, spaces, solution.linear.coefficients)[0] - exact,
+               rule_for(disk, grid, degree + 2))
+      .l2;
+}
+
+TEST(Collocation, HasTheOrderOfLeastSquares) {
+  // min(p + 1, 2 (p − 1)) in L2 by duality: 4 for p = 3, 5 for p = 4.
+  EXPECT_NEAR(std::log2(error_of(10, 3) / error_of(20, 3)), 4, 0.5);
+  EXPECT_NEAR(std::log2(error_of(10, 4) / error_of(20, 4)), 5, 0.5);
+}
+
+TEST(SparseQr, IsTheDenseLeastSquaresSolution) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::MatrixXd dense(60, 25);
+  for (double& number : dense.reshaped())
+    number = uniform(generator) > 0.3 ? uniform(generator) : 0;
+  dense.col(3) *= 1e12;
+  const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(60, -1, 3);
+  const Eigen::VectorXd expected = dense.colPivHouseholderQr().solve(load);
+  const SparseMatrix sparse = dense.sparseView();
+  const Eigen::VectorXd solution = least_squares_solution(sparse, load);
+  for (Eigen::Index i = 0; i < 25; ++i)
+    EXPECT_NEAR(solution[i], expected[i], 1e-11 * std::abs(expected[i])) << i;
+}
+
+TEST(SparseQr, RefusesWhatDoesNotDetermineTheUnknowns) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Ones(5, 3);
+  dense(0, 1) = 2;
+  const SparseMatrix dependent = dense.sparseView();
+  EXPECT_THROW(least_squares_solution(dependent, Eigen::VectorXd::Ones(5)), ComputationError);
+  const SparseMatrix wide = Eigen::MatrixXd::Ones(2, 3).eval().sparseView();
+  EXPECT_THROW(least_squares_solution(wide, Eigen::VectorXd::Ones(2)), ComputationError);
+}
+
+}  // namespace
+}  // namespace rfm

@@ -1,0 +1,167 @@
+#include "solvers/newton.hpp"
+
+#include <gmock/gmock.h>
+
+#include "core/error.hpp"
+#include "tests/solvers/sample_problems.hpp"
+
+namespace rfm {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+const Field x = x_coordinate(), y = y_coordinate();
+
+Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
+  Field sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+// u = g + ω Ψ on a region, g equal to the exact solution on the boundary only.
+struct NonlinearProblem {
+  int dimension = 2;
+  Region region = circle({0, 0}, 1);
+  Field omega = 1.0 - x * x - y * y;
+  Field exact, data;
+  Form form;
+  Box box{2, {-1.05, -1.1}, {1.1, 1.02}};
+
+  struct Result {
+    NewtonSolution newton;
+    FieldNorms error;
+  };
+  Result solve(int cells, int degree, const NewtonOptions& options = {}) const {
+    const Grid grid = Grid::with_square_cells(box, cells);
+    const DomainRule rule = rule_for(region, grid, degree);
+    const std::vector<TensorProductSpace> spaces{
+        TensorProductSpace(grid, degree, cells_in_region(rule, degree))};
+    const std::vector<Structure> structures{data + omega * Structure::undetermined()};
+    LinearSolverOptions linear;
+    linear.dimension = dimension;
+    Result result{solve_newton(structures, spaces, std::span(&form, 1), rule, linear, options), {}};
+    const Field solution =
+        solution_fields(structures, spaces, result.newton.linear.coefficients)[0];
+    result.error = norms(solution - exact, rule_for(region, grid, degree + 2));
+    return result;
+  }
+};
+
+const Field u = unknown_symbol(0, 2), v = test_symbol(0, 2);
+
+// The catenoid cosh z = |p − (3, 0.5)| is a minimal surface over every region where it is a graph.
+NonlinearProblem minimal_surface() {
+  const Field r = hypot(x - 3.0, y - 0.5), exact = log(r + sqrt(r * r - 1.0));
+  const Field omega = 1.0 - x * x - y * y;
+  return {.exact = exact,
+          .data = exact + omega * (1.0 + x * exp(y)),
+          .form = Form::energy(sqrt(1.0 + dot(gradient(u, 2), gradient(u, 2))))};
+}
+
+// −∇·((1 + u²) ∇u) = f.
+NonlinearProblem nonlinear_diffusion() {
+  const Field exact = sin(2.0 * x + y) + 0.5 * x * y;
+  const Field omega = 1.0 - x * x - y * y;
+  Field f = 0.0;
+  for (const int axis : {0, 1}) f = f - partial((1.0 + exact * exact) * partial(exact, axis), axis);
+  return {.exact = exact,
+          .data = exact + omega * cos(x - y),
+          .form = Form::weak((1.0 + u * u) * dot(gradient(u, 2), gradient(v, 2)) - f * v)};
+}
+
+class NewtonOn : public testing::TestWithParam<int> {
+ protected:
+  NonlinearProblem problem = GetParam() == 0 ? minimal_surface() : nonlinear_diffusion();
+};
+INSTANTIATE_TEST_SUITE_P(Problems, NewtonOn, testing::Values(0, 1));
+
+TEST_P(NewtonOn, ConvergesQuadratically) {
+  const NewtonSolution solution = problem.solve(10, 3).newton;
+  EXPECT_LE(solution.iterations.size(), 10u);
+  ASSERT_TRUE(solution.order());
+  EXPECT_GT(*solution.order(), 1.7);
+  EXPECT_LT(*solution.order(), 2.4);
+  EXPECT_LT(solution.iterations.back().step, 1e-9);
+}
+
+TEST_P(NewtonOn, HasTheOrderOfTheSplines) {
+  for (const int degree : {2, 3}) {
+    const FieldNorms coarse = problem.solve(10, degree).error;
+    const FieldNorms fine = problem.solve(20, degree).error;
+    EXPECT_NEAR(std::log2(coarse.l2 / fine.l2), degree + 1, 0.3) << degree;
+    EXPECT_NEAR(std::log2(coarse.h1_seminorm / fine.h1_seminorm), degree, 0.3) << degree;
+    EXPECT_LT(fine.l2, degree == 3 ? 2e-5 : 3e-4);
+  }
+}
+
+TEST_P(NewtonOn, LoadStepsEndAtTheSameSolution) {
+  NewtonOptions options;
+  options.load_steps = 3;
+  const auto direct = problem.solve(6, 2), gradual = problem.solve(6, 2, options);
+  EXPECT_LT((direct.newton.linear.coefficients - gradual.newton.linear.coefficients).norm(),
+            1e-9 * direct.newton.linear.coefficients.norm());
+  EXPECT_GT(gradual.newton.iterations.size(), direct.newton.iterations.size());
+}
+
+TEST(Newton, SolvesALinearProblemInOneStep) {
+  NonlinearProblem problem = minimal_surface();
+  problem.form = Form::energy(0.5 * dot(gradient(u, 2), gradient(u, 2)) - exp(x) * u);
+  const NewtonSolution solution = problem.solve(8, 3).newton;
+  // The second step is rounding.
+  ASSERT_EQ(solution.iterations.size(), 2u);
+  EXPECT_LT(solution.iterations[1].step, 1e-12);
+}
+
+// −u″ = λ eᵘ, u(0) = u(1) = 0, has no solution for λ > 3.5138 and two below.
+NonlinearProblem bratu(double lambda) {
+  const Field w = unknown_symbol(0, 1);
+  return {.dimension = 1,
+          .region = unit_box(1),
+          .omega = x * (1.0 - x),
+          .exact = 0.0,
+          .data = 0.0,
+          .form = Form::energy(0.5 * partial(w, 0) * partial(w, 0) - lambda * exp(w)),
+          .box = {1, {0}, {1}}};
+}
+
+TEST(Newton, FindsTheLowerBranchOfBratu) {
+  // u(½) = 2 log cosh θ with θ = √(2λ)/4 · 2 cosh θ: for λ = 1, θ = 0.379291497..., u(½) =
+  // 0.14053921.
+  NonlinearProblem problem = bratu(1);
+  double theta = 0.38;
+  for (int i = 0; i < 60; ++i) theta = std::sqrt(2.0) / 4 * std::cosh(theta);
+  problem.exact = -2.0 * log(cosh((2 * theta) * (x - 0.5)) / Field(std::cosh(theta)));
+  const auto result = problem.solve(16, 4);
+  EXPECT_LT(result.error.maximum, 1e-8);
+  EXPECT_GT(result.newton.order().value_or(2), 1.7);
+}
+
+std::string failure_of(const NonlinearProblem& problem) {
+  try {
+    problem.solve(8, 2);
+  } catch (const ComputationError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Newton, SaysThatItDoesNotConvergeBeyondTheFold) {
+  EXPECT_THAT(failure_of(bratu(6)), HasSubstr("Newton's method does not converge"));
+}
+
+TEST(Newton, NamesThePlaceWhereAFormIsNotDefined) {
+  NonlinearProblem problem = bratu(1);
+  const Field w = unknown_symbol(0, 1);
+  problem.form = Form::energy(0.5 * partial(w, 0) * partial(w, 0) + log(w - 0.5));
+  EXPECT_THAT(failure_of(problem), HasSubstr("not a number at the point ("));
+}
+
+TEST(Newton, RefusesNoLoadSteps) {
+  NewtonOptions options;
+  options.load_steps = 0;
+  EXPECT_THROW(bratu(1).solve(4, 2, options), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace rfm
