@@ -61,6 +61,11 @@ std::optional<Ball> as_ball(const Field& level, int dimension) {
   return ball;
 }
 
+// What is known of the box of a shape holds for the same set with another function.
+Region in_same_box(const Region& changed, const Region& region) {
+  return region.enclosure() ? changed.within(*region.enclosure()) : changed;
+}
+
 }  // namespace
 
 Field ball_distance(const Point& center, double radius, int dimension) {
@@ -137,7 +142,7 @@ Field sector_distance(const Point& center, double radius, double from, double to
 
 Region with_exact_sides(const Region& region) {
   const int dimension = region.dimension();
-  return mapped_region(region, [&](const Primitive& primitive) {
+  const Region exact = mapped_region(region, [&](const Primitive& primitive) {
     Primitive changed = primitive;
     if (const auto ball = as_ball(primitive.level, dimension)) {
       const Field distance = ball_distance(ball->center, ball->radius, dimension);
@@ -145,16 +150,18 @@ Region with_exact_sides(const Region& region) {
     }
     return MappedPrimitive(Region(std::move(changed), dimension));
   });
+  return in_same_box(exact, region);
 }
 
 Region with_function(const Region& region, const Field& function) {
   bool first = true;
-  return mapped_region(region, [&](const Primitive& primitive) {
+  const Region changed = mapped_region(region, [&](const Primitive& primitive) {
     Primitive changed = primitive;
     if (first) changed.function = function;
     first = false;
     return MappedPrimitive(Region(std::move(changed), region.dimension()));
   });
+  return in_same_box(changed, region);
 }
 
 }  // namespace rfm

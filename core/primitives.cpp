@@ -1,5 +1,6 @@
 #include "core/primitives.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,6 +38,35 @@ Point unit(const Point& direction, const char* what) {
   return {direction[0] / length, direction[1] / length, direction[2] / length};
 }
 
+// How far a disk of radius 1 across a unit vector reaches along an axis.
+double across(const Point& direction, int axis) {
+  return std::sqrt(std::max(0.0, 1 - direction[axis] * direction[axis]));
+}
+
+// What reaches as far on both sides of `center` along each axis.
+template <class Reach>
+Box box_about(const Point& center, int dimension, Reach&& reach) {
+  Box box{dimension, center, center};
+  for (int axis = 0; axis < dimension; ++axis) {
+    box.low[axis] -= reach(axis);
+    box.high[axis] += reach(axis);
+  }
+  return box;
+}
+
+void add(const Point& point, Box& box) {
+  for (int axis = 0; axis < box.dimension; ++axis) {
+    box.low[axis] = std::min(box.low[axis], point[axis]);
+    box.high[axis] = std::max(box.high[axis], point[axis]);
+  }
+}
+
+Box joined(Box a, const Box& b) {
+  add(b.low, a);
+  add(b.high, a);
+  return a;
+}
+
 Region named_side(const char* name, const Field& function, const Field& level) {
   return Region(Primitive{name, function, level}, 3);
 }
@@ -60,7 +90,7 @@ Region circle(const Point& center, double radius) {
   require_positive(radius, "the radius of a circle");
   const Field x = x_coordinate() - center[0], y = y_coordinate() - center[1];
   const Field function = (radius * radius - x * x - y * y) * (0.5 / radius);
-  return unnamed(function, function, 2);
+  return unnamed(function, function, 2).within(box_about(center, 2, [&](int) { return radius; }));
 }
 
 Region ellipse(const Point& center, const Point& radii, double angle) {
@@ -70,7 +100,11 @@ Region ellipse(const Point& center, const Point& radii, double angle) {
   const Field x = x_coordinate() - center[0], y = y_coordinate() - center[1];
   const Field xi = (cosine * x + sine * y) / radii[0], eta = (cosine * y - sine * x) / radii[1];
   const Field level = 1.0 - xi * xi - eta * eta;
-  return unnamed(normalize(level, 2), level, 2);
+  const Box box = box_about(center, 2, [&](int axis) {
+    return axis == 0 ? std::hypot(radii[0] * cosine, radii[1] * sine)
+                     : std::hypot(radii[0] * sine, radii[1] * cosine);
+  });
+  return unnamed(normalize(level, 2), level, 2).within(box);
 }
 
 Region strip(const Point& point, const Point& normal, double width) {
@@ -90,8 +124,25 @@ Region sector(const Point& center, double radius, double from, double to, double
   const Region left = half_plane(center, {-std::sin(from), std::cos(from)}).named("from");
   const Region right = half_plane(center, {std::sin(to), -std::cos(to)}).named("to");
   const Region wedge = to - from <= std::numbers::pi ? left & right : left | right;
+  // The arc is farthest at its ends or along an axis, and the rest at the inner radius.
+  const auto at = [&](double r, double angle) {
+    return Point{center[0] + r * std::cos(angle), center[1] + r * std::sin(angle)};
+  };
+  Box enclosure{2, at(radius, from), at(radius, from)};
+  add(at(radius, to), enclosure);
+  for (const double r : {radius, inner_radius}) {
+    constexpr double quarter = std::numbers::pi / 2;
+    for (double k = std::ceil(from / quarter); k * quarter <= to; ++k) {
+      const Point farthest[] = {{r, 0}, {0, r}, {-r, 0}, {0, -r}};
+      const Point& step = farthest[static_cast<int>(k - 4 * std::floor(k / 4))];
+      add({center[0] + step[0], center[1] + step[1]}, enclosure);
+    }
+    add(at(r, from), enclosure);
+    add(at(r, to), enclosure);
+  }
   const Region disk = circle(center, radius).named("arc") & wedge;
-  return inner_radius > 0 ? disk - circle(center, inner_radius).named("inner") : disk;
+  const Region whole = inner_radius > 0 ? disk - circle(center, inner_radius).named("inner") : disk;
+  return whole.within(enclosure);
 }
 
 Region box(const Point& min, const Point& max, int dimension) {
@@ -105,7 +156,7 @@ Region box(const Point& min, const Point& max, int dimension) {
   for (int axis = 1; axis < dimension; ++axis)
     region = region & side(names[2 * axis], coordinate(axis) - min[axis]) &
              side(names[2 * axis + 1], max[axis] - coordinate(axis));
-  return region;
+  return region.within({dimension, min, max});
 }
 
 Region half_space(const Point& point, const Point& normal) {
@@ -117,7 +168,7 @@ Region half_space(const Point& point, const Point& normal) {
 Region sphere(const Point& center, double radius) {
   require_positive(radius, "the radius of a sphere");
   const Field function = (radius * radius - square_length(offset_from(center))) * (0.5 / radius);
-  return unnamed(function, function, 3);
+  return unnamed(function, function, 3).within(box_about(center, 3, [&](int) { return radius; }));
 }
 
 Region ellipsoid(const Point& center, const Point& radii, const Point& axis, double angle) {
@@ -125,6 +176,7 @@ Region ellipsoid(const Point& center, const Point& radii, const Point& axis, dou
   const auto d = offset_from(center);
   const double cosine = std::cos(angle), sine = std::sin(angle);
   Field level = 1.0;
+  Point reach{};
   for (int i = 0; i < 3; ++i) {
     require_positive(radii[i], "a radius of an ellipsoid");
     // The turned unit vector eᵢ, by Rodrigues' formula.
@@ -134,11 +186,16 @@ Region ellipsoid(const Point& center, const Point& radii, const Point& axis, dou
     const Point cross{a[1] * e[2] - a[2] * e[1], a[2] * e[0] - a[0] * e[2],
                       a[0] * e[1] - a[1] * e[0]};
     Point turned;
-    for (int k = 0; k < 3; ++k) turned[k] = cosine * e[k] + sine * cross[k] + along * a[k];
+    for (int k = 0; k < 3; ++k) {
+      turned[k] = cosine * e[k] + sine * cross[k] + along * a[k];
+      reach[k] = std::hypot(reach[k], radii[i] * turned[k]);
+    }
     const Field xi = dot(d, turned) / radii[i];
     level = level - xi * xi;
   }
-  return unnamed(normalize(level, 3), level, 3);
+  return unnamed(normalize(level, 3), level, 3).within(box_about(center, 3, [&](int axis) {
+    return reach[axis];
+  }));
 }
 
 Region cylinder(const Point& center, const Point& axis, double radius, double length) {
@@ -151,7 +208,10 @@ Region cylinder(const Point& center, const Point& axis, double radius, double le
   const Region infinite = named_side("side", side, side);
   if (!std::isfinite(length)) return infinite;
   const Field start = height + 0.5 * length, end = 0.5 * length - height;
-  return infinite & named_side("start", start, start) & named_side("end", end, end);
+  const Region closed = infinite & named_side("start", start, start) & named_side("end", end, end);
+  return closed.within(box_about(center, 3, [&](int axis) {
+    return 0.5 * length * std::fabs(a[axis]) + radius * across(a, axis);
+  }));
 }
 
 Region cone(const Point& apex, const Point& axis, double half_angle, double length) {
@@ -167,7 +227,12 @@ Region cone(const Point& apex, const Point& axis, double half_angle, double leng
   const Region nappe = named_side("side", normalize(level, 3), level) & selector("apex", height);
   if (!std::isfinite(length)) return nappe;
   const Field end = length - height;
-  return nappe & named_side("end", end, end);
+  Point middle;
+  for (int axis = 0; axis < 3; ++axis) middle[axis] = apex[axis] + length * a[axis];
+  Box box = box_about(middle, 3,
+                      [&](int axis) { return length * std::tan(half_angle) * across(a, axis); });
+  add(apex, box);
+  return (nappe & named_side("end", end, end)).within(box);
 }
 
 Region torus(const Point& center, const Point& axis, double radius, double tube) {
@@ -178,14 +243,18 @@ Region torus(const Point& center, const Point& axis, double radius, double tube)
   const Field height = dot(d, a), square = square_length(d);
   const Field level = 4 * radius * radius * (square - height * height) -
                       pow(square + (radius * radius - tube * tube), 2.0);
-  return unnamed(normalize(level, 3), level, 3);
+  return unnamed(normalize(level, 3), level, 3).within(box_about(center, 3, [&](int axis) {
+    return radius * across(a, axis) + tube;
+  }));
 }
 
 Region capsule(const Point& from, const Point& to, double radius) {
   require_positive(radius, "the radius of a capsule");
   const Field square = field(std::make_shared<const SegmentDistance>(from, to));
   const Field function = (radius * radius - square) * (0.5 / radius);
-  return unnamed(function, function, 3);
+  const auto ball = [&](int) { return radius; };
+  return unnamed(function, function, 3)
+      .within(joined(box_about(from, 3, ball), box_about(to, 3, ball)));
 }
 
 Region quadric(const std::vector<double>& coefficients, int dimension) {

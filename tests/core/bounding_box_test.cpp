@@ -195,6 +195,35 @@ TEST(BoundingBox, OfAPolygonOfManyEdgesIsThatOfItsPoints) {
   expect_box(polygon(points) & half_plane({0, 0}, {1, 0}), box.low, box.high, 1e-12);
 }
 
+TEST(BoundingBox, ThatShapesKnowIsTheOneThatASearchFinds) {
+  const Point c{0.3, -0.2, 0.4}, axis{1, 2, -0.5};
+  const std::vector<Region> shapes{circle({0.3, -0.2}, 0.7),
+                                   ellipse({0.3, -0.2}, {1.5, 0.4}, 0.6),
+                                   box({-1, 0.2}, {0.7, 0.9}),
+                                   sector({0.3, -0.2}, 1.2, 0.3, 2.1),
+                                   sector({0.3, -0.2}, 1.2, -0.4, 1.1, 0.5),
+                                   sector({0.3, -0.2}, 1.2, 2.0, 6.5, 0.5),
+                                   sphere(c, 0.7),
+                                   ellipsoid(c, {1.2, 0.4, 0.7}, axis, 0.8),
+                                   box({-1, 0.2, 0}, {0.7, 0.9, 2}, 3),
+                                   cylinder(c, axis, 0.3, 1.4),
+                                   cone(c, axis, 0.4, 1.4),
+                                   torus(c, axis, 1, 0.3),
+                                   capsule(c, {1, 1, 1}, 0.3)};
+  for (const Region& shape : shapes) {
+    ASSERT_TRUE(shape.enclosure());
+    const Box known = *shape.enclosure();
+    // By an expression that is not known to lie in a box.
+    const Box found = bounds_of(shape.with_expression(shape.expression()));
+    for (int axis_number = 0; axis_number < known.dimension; ++axis_number) {
+      EXPECT_NEAR(known.low[axis_number], found.low[axis_number], 2e-6);
+      EXPECT_NEAR(known.high[axis_number], found.high[axis_number], 2e-6);
+    }
+  }
+  EXPECT_FALSE(cylinder(c, axis, 0.3).enclosure());
+  EXPECT_FALSE(strip({0, 0}, {1, 0}, 1).enclosure());
+}
+
 TEST(BoundingBox, OfPartsThatAreKnownToLieApartIsRefusedAsEmpty) {
   const Region a = circle({0, 0}, 1).within({2, {-1, -1}, {1, 1}});
   const Region b = circle({5, 0}, 1).within({2, {4, -1}, {6, 1}});
