@@ -70,16 +70,12 @@ Interval operator*(const Interval& a, const Interval& b) {
 }
 
 Interval operator/(const Interval& a, const Interval& b) {
-  if (a.is_zero() && b.excludes_zero()) return {};
-  if (!b.excludes_zero()) {
-    if (b.is_zero()) return Interval::entire();
-    if (b.low == 0 && a.low >= 0) return outward(a.low / b.high, infinity);
-    if (b.low == 0 && a.high <= 0) return outward(-infinity, a.high / b.high);
-    if (b.high == 0 && a.low >= 0) return outward(-infinity, a.low / b.low);
-    if (b.high == 0 && a.high <= 0) return outward(a.high / b.low, infinity);
-    return Interval::entire();
-  }
-  return a * outward(1 / b.high, 1 / b.low);
+  if (!b.excludes_zero()) return Interval::entire();
+  if (a.is_zero()) return {};
+  Interval inverse = outward(1 / b.high, 1 / b.low);
+  // Of an infinite divisor the quotient is 0 as a limit, with a sign that ⌊a / b⌋ sees.
+  if (inverse.is_zero()) inverse = b.low > 0 ? Interval(0, denormal) : Interval(-denormal, 0);
+  return a * inverse;
 }
 
 Interval square(const Interval& a) {
@@ -91,7 +87,12 @@ Interval square(const Interval& a) {
 
 // a^exponent for a whole exponent of any size.
 static Interval whole_power(const Interval& a, double exponent) {
-  if (exponent < 0) return Interval(1) / whole_power(a, -exponent);
+  if (exponent < 0) {
+    const Interval power = whole_power(a, -exponent);
+    // Where an even power is 0 it is +0.
+    if (power.low == 0 && std::fmod(exponent, 2) == 0) return outward(1 / power.high, infinity);
+    return Interval(1) / power;
+  }
   if (exponent == 0) return 1;
   if (exponent == 1 || a.is_zero()) return a;
   if (exponent == 2) return square(a);
@@ -111,6 +112,8 @@ Interval integer_power(const Interval& a, int exponent) { return whole_power(a, 
 Interval power(const Interval& a, double exponent) {
   if (exponent == std::floor(exponent)) return whole_power(a, exponent);
   if (a.high < 0) return Interval::entire();
+  if (a.low == -infinity)  // the power of −∞ is that of ∞
+    return exponent > 0 ? Interval(0, infinity) : Interval(0, power({0, a.high}, exponent).high);
   const double low = std::max(a.low, 0.0), high = a.high;
   const double p = std::pow(low, exponent), q = std::pow(high, exponent);
   if (high == 0 && exponent < 0) return Interval::entire();

@@ -34,12 +34,16 @@ T narrowed_to_corners(const T& bounds, const T& a, const T& b, const Function& f
   return narrowed(bounds, {low - margin(low, x.low, y.low), high + margin(high, x.high, y.high)});
 }
 
-/// Narrows bounds of a function of which |f| ≤ factor min(|a|, |b|) is known.
+/// Narrows bounds of a function of which |f| ≤ |factor| min(|a|, |b|) is known, and that it has the
+/// sign of factor · a b or is 0.
 template <class T>
 T narrowed_to_smaller(const T& bounds, const T& a, const T& b, double factor) {
-  const double most =
-      factor * std::min(range_of_bound(a).magnitude(), range_of_bound(b).magnitude());
-  return narrowed(bounds, {-most, most});
+  const Interval &x = range_of_bound(a), &y = range_of_bound(b);
+  const double most = std::fabs(factor) * std::min(x.magnitude(), y.magnitude());
+  const bool not_negative = (x.low >= 0 && y.low >= 0) || (x.high <= 0 && y.high <= 0);
+  const bool not_positive = (x.low >= 0 && y.high <= 0) || (x.high <= 0 && y.low >= 0);
+  return narrowed(bounds, {(factor > 0 ? not_negative : not_positive) ? 0 : -most,
+                           (factor > 0 ? not_positive : not_negative) ? 0 : most});
 }
 
 // Where the branch of |a|, min and max is undecided, both branches bound the function; so does the

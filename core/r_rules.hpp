@@ -56,7 +56,7 @@ Jet<T, N, K> r0_exclusive_or(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   if constexpr (is_bound<T>) {
     Jet<T, N, K> result = scaled(T(-2.0), a * b) / (third_side(a, b, 0.5) + hypot(a, b));
     // The sum of the roots is at least (√3/2 + 1) max(|a|, |b|).
-    result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], 1.0718);
+    result.c[0] = narrowed_to_smaller(result.c[0], a.c[0], b.c[0], -1.0718);
     return result;
   } else {
     return of_degree_one(a, b, [](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {

