@@ -18,10 +18,11 @@ Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const T& argument) {
   return f;
 }
 
+/// Never −0, so that it is one number over [0, 1), −0 included.
 template <class T, int N, int K>
 Jet<T, N, K> floor(const Jet<T, N, K>& a) {
   using std::floor;
-  return nan_where_nan(Jet<T, N, K>::constant(floor(a.c[0])), a.c[0]);
+  return nan_where_nan(Jet<T, N, K>::constant(floor(a.c[0]) + T(0.0)), a.c[0]);
 }
 
 /// 1 where the mask holds, else 0.

@@ -143,7 +143,7 @@ Outcome outcome_of(const Instruction& instruction, const std::vector<RangeOver>&
     case Operation::equal:
       return truth(equal(a, b));
     case Operation::floor: {
-      const double low = std::floor(a.low);
+      const double low = std::floor(a.low) + 0.0;  // as the rule: not −0
       return low == std::floor(a.high) && std::isfinite(low) ? number(low) : Outcome{};
     }
     default:

@@ -227,5 +227,34 @@ TEST_P(Conformance, InfinityHasItsLimitInEveryEvaluator) {
     }
 }
 
+// Zeros of both signs and ∞ of both signs: the sign decides at cuts and poles, and in all
+// evaluators as in the definition.
+TEST_P(Conformance, ZeroHasItsSignInEveryEvaluator) {
+  const Row& row = GetParam();
+  const int arity = find_operation(row.operation)->arity;
+  std::vector<Arguments> points;
+  for (const double zero : {0.0, -0.0})
+    for (const double other : {0.0, -0.0, 1.0, -2.5}) {
+      points.push_back({zero, other, 0.5});
+      if (arity > 1) points.push_back({other, zero, 0.5});
+    }
+  for (const Evaluator& evaluator : all_evaluators())
+    for (int order = 0; order <= 2; ++order) {
+      const ArgumentShape shape = ArgumentShape::own(arity, order);
+      if (!evaluator.serves(row, shape)) continue;
+      const auto jets = evaluator.jets(row, shape, points);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& [a, b, c] = points[i];
+        const auto exact = static_cast<double>(definition(row, a, b, c));
+        const bool as_defined = std::isnan(exact)   ? !std::isfinite(jets[i][0])
+                                : std::isinf(exact) ? jets[i][0] == exact
+                                                    : std::fabs(jets[i][0] - exact) <= 1e-14;
+        EXPECT_TRUE(as_defined) << row.identifier << " by " << evaluator.name << " to order "
+                                << order << " at " << text_of(points[i]) << ": " << jets[i][0]
+                                << ", not " << exact;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace rfm

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/expression_text.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -59,6 +60,21 @@ TEST(Specialization, DecidesNothingAboutTimeParametersDerivativesAndRFunctions) 
   kept(abs(parameter(0)) * x);
   kept(max(partial(sin(x * y), 0), y));
   kept(apply(Operation::r0_disjunction, {x, y - 100}));
+}
+
+TEST(Specialization, TellsTheSidesOfACutAtZerosOfBothSigns) {
+  // A side of −0 is one of 0: what is decided there holds in the whole box.
+  for (const double side : {0.0, -0.0}) {
+    const Box box = box_of(side, 0.5, side, 0.5);
+    for (const Field& f :
+         {atan2(floor(y), -1), atan(1 / floor(y)), atan2(floor(y) * step(x), -2),
+          atan2(mod(floor(y), 2), -1), atan2(sign(floor(y)), -1), atan2(min(floor(y), step(y)), -1),
+          atan2(max(-floor(y), floor(y)), -1), atan2(abs(floor(y)), -1)}) {
+      const Tape general({f}, {0}, 2), special = general.specialised(box);
+      for (const double at : {0.0, -0.0, 0.25, 0.5})
+        EXPECT_EQ(special.value({at, at}), general.value({at, at})) << to_text(f) << " at " << at;
+    }
+  }
 }
 
 TEST(Specialization, HidesNothingThatIsNotDefined) {
