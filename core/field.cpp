@@ -37,6 +37,8 @@ bool fold(Operation operation, const std::vector<Field>& arguments, double numbe
   return std::isfinite(result);
 }
 
+bool is_finite_number(const Field& f) { return f.is_constant() && std::isfinite(f.constant()); }
+
 Field unary(Operation operation, const Field& a) { return apply(operation, {a}); }
 
 }  // namespace
@@ -113,6 +115,8 @@ Field apply(Operation operation, std::vector<Field> arguments, std::optional<dou
   if (number)
     if (const std::string expected = objection_to_number(operation, *number); !expected.empty())
       throw InvalidArgument(name + " needs " + expected + ", got " + std::to_string(*number));
+  if (operation == Operation::power && is_finite_number(arguments[1]))
+    return pow(arguments[0], arguments[1]);
   double value = 0;
   if (fold(operation, arguments, number.value_or(0), value)) return Field(value);
   const int index = operation == Operation::integer_power ? static_cast<int>(*number) : 0;
@@ -156,7 +160,7 @@ Field operator-(const Field& a) {
 }
 
 Field pow(const Field& a, const Field& b) {
-  if (!b.is_constant()) return apply(Operation::power, {a, b});
+  if (!is_finite_number(b)) return apply(Operation::power, {a, b});
   const double exponent = b.constant();
   if (exponent == 0) return 1.0;
   if (exponent == 1) return a;

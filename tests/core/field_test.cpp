@@ -136,5 +136,22 @@ TEST(Field, WrongBuildersAreRefused) {
   EXPECT_THROW(field(std::shared_ptr<const FieldSource>()), InvalidArgument);
 }
 
+TEST(Powers, WithANumberAsExponentAreTheSameHoweverTheyAreMade) {
+  const Field x = x_coordinate();
+  for (const double exponent : {2.0, 3.0, -1.0, 0.0, 1.0, 0.5, -2.5, 65.0}) {
+    const Field f = apply(Operation::power, {x, exponent}), same = pow(x, exponent);
+    for (const double at : {-1.5, -0.0, 0.0, 0.3, 2.0}) {
+      const double value = value_at(f, {at}), expected = value_at(same, {at});
+      EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected)))
+          << at << "^" << exponent << ": " << value << ", not " << expected;
+    }
+  }
+  EXPECT_EQ(value_at(apply(Operation::power, {x, 2.0}), {-3}), 9);
+  EXPECT_EQ(apply(Operation::power, {-3.0, 2.0}).constant(), 9);
+  // No number: as it is.
+  EXPECT_EQ(value_at(apply(Operation::power, {x, INFINITY}), {2}), INFINITY);
+  EXPECT_EQ(value_at(pow(x, INFINITY), {0.5}), 0);
+}
+
 }  // namespace
 }  // namespace rfm
