@@ -174,6 +174,25 @@ Field derivative(Operation operation, double number, const Field& f, const Field
   }
 }
 
+// Whether ∂f as written above is f times something, or contains 0 f: no number where f is none.
+bool has_factor_of_value(Operation operation) {
+  switch (operation) {
+    case Operation::divide:
+    case Operation::power:
+    case Operation::exp:
+    case Operation::log:
+    case Operation::sign:
+    case Operation::step:
+    case Operation::floor:
+    case Operation::less:
+    case Operation::less_equal:
+    case Operation::equal:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 GraphDerivative::GraphDerivative(const Field& variable) : variable_(variable) {
@@ -182,53 +201,65 @@ GraphDerivative::GraphDerivative(const Field& variable) : variable_(variable) {
     throw InvalidArgument("derivatives are with respect to a coordinate or a parameter");
 }
 
-Field GraphDerivative::of_node(const Field& f) const {
+GraphDerivative::Known GraphDerivative::of_node(const Field& f) const {
   const Field::Node& node = f.node();
   const std::vector<Field>& arguments = node.arguments;
+  const bool has_value = node.defined_everywhere;
+  const auto zero = [](const Field& g) { return g.is_constant(0); };
+  bool depends = false;
+  for (const Field& argument : arguments) depends = depends || !zero(known(argument).derivative);
   switch (node.operation) {
     case Operation::constant:
-      return 0.0;
+      return {f, 0.0, has_value};
     case Operation::coordinate:
-    case Operation::parameter:
-      return node.operation == variable_.node().operation && node.index == variable_.node().index
-                 ? 1.0
-                 : 0.0;
-    case Operation::source:
-      return of_source(f);
+    case Operation::parameter: {
+      const Field::Node& variable = variable_.node();
+      const bool same = node.operation == variable.operation && node.index == variable.index;
+      return {f, same ? 1.0 : 0.0, true};
+    }
+    case Operation::source: {
+      const Field derivative = of_source(f);
+      return {f, derivative, !zero(derivative)};
+    }
     default:
       break;
   }
-  bool depends = false;
-  for (const Field& argument : arguments) depends = depends || !known(argument).is_constant(0);
-  if (!depends) return 0.0;
-  const Field &a = arguments[0], &da = known(a);
+  if (!depends) return {f, 0.0, has_value};
+  const auto& [a, da, a_tells] = known(arguments[0]);
   switch (node.operation) {
     case Operation::partial:
-      return partial(da, node.index);
+      return {f, partial(da, node.index), has_value};
     case Operation::integer_power:
-      return node.number * pow(a, node.number - 1) * da;
+      return {f, node.number * pow(a, node.number - 1) * da, a_tells};
     case Operation::real_power: {
       const Field power = node.number * lowered_power(a, node.number);
-      return (node.number >= 1 || node.number < 0 ? power : unless_zero(a, power)) * da;
+      const bool regular = node.number >= 1 || node.number < 0;
+      return {f, (regular ? power : unless_zero(a, power)) * da, a_tells};
     }
-    case Operation::select:
-      return select(a, known(arguments[1]), known(arguments[2]));
+    case Operation::select: {
+      const Known &yes = known(arguments[1]), &no = known(arguments[2]);
+      return {f, select(a, yes.derivative, no.derivative), yes.tells && no.tells};
+    }
     default:
       break;
   }
-  if (arguments.size() == 1) return slope(node.operation, f, a) * da;
-  return derivative(node.operation, node.number, f, a, arguments[1], da, known(arguments[1]));
+  const bool tells = has_factor_of_value(node.operation);
+  if (arguments.size() == 1) return {f, slope(node.operation, f, a) * da, tells || a_tells};
+  const auto& [b, db, b_tells] = known(arguments[1]);
+  const bool product = node.operation == Operation::multiply;  // a is a factor of db, b of da
+  const bool of_a = a_tells || (product && !zero(db)), of_b = b_tells || (product && !zero(da));
+  return {f, derivative(node.operation, node.number, f, a, b, da, db), tells || (of_a && of_b)};
 }
 
 // The chain rule: Σᵢ (∂^{α+eᵢ} s)(place) ∂placeᵢ.
 Field GraphDerivative::of_source(const Field& f) const {
   const Field::Node& node = f.node();
   std::vector<Field> place = node.arguments, slopes;
-  for (const Field& argument : place) slopes.push_back(known(argument));
+  for (const Field& argument : place) slopes.push_back(known(argument).derivative);
   if (place.empty())
     for (int axis = 0; axis < node.source->valid().dimension; ++axis) {
       place.push_back(coordinate(axis));
-      slopes.push_back(of_node(place.back()));
+      slopes.push_back(of_node(place.back()).derivative);
     }
   Field sum = 0.0;
   for (std::size_t axis = 0; axis < place.size(); ++axis)
@@ -239,7 +270,7 @@ Field GraphDerivative::of_source(const Field& f) const {
   return sum;
 }
 
-Field GraphDerivative::of(const Field& f) {
+const GraphDerivative::Known& GraphDerivative::find(const Field& f) {
   std::vector<Field> pending{f};
   while (!pending.empty()) {
     const Field field = pending.back();
@@ -255,10 +286,17 @@ Field GraphDerivative::of(const Field& f) {
       }
     if (!ready) continue;
     pending.pop_back();
-    known_.emplace(&field.node(), Known{field, of_node(field)});
+    known_.emplace(&field.node(), of_node(field));
   }
   return known(f);
 }
+
+Field GraphDerivative::of(const Field& f) {
+  const auto& [node, derivative, tells] = find(f);
+  return tells ? derivative : rfm::where_defined(derivative, f);
+}
+
+Field GraphDerivative::where_defined(const Field& f) { return find(f).derivative; }
 
 Field derivative_with_respect_to(const Field& f, const Field& variable) {
   return GraphDerivative(variable).of(f);

@@ -10,9 +10,8 @@ namespace rfm {
 /// nodes of the original. Exact, like jets, and for what jets are not taken in: parameters, and
 /// coordinates that a tape holds. A partial derivative within the expression stays one, of the
 /// differentiated function. Derivatives that do not exist are finite by the same convention as in
-/// core/jet.hpp: singular ones are 0, at corners that of the branch taken. Where an operation on
-/// the variable is not defined its derivative is not either; what does not depend on the variable
-/// is not looked at: ∂(x + log y)/∂x = 1 for every y.
+/// core/jet.hpp: singular ones are 0, at corners that of the branch taken. Where a function is not
+/// defined its derivative is not either: ∂(x + log y)/∂x is 1 + 0 (x + log y).
 ///
 /// The derivatives that were made are kept, so that one object serves many expressions that share
 /// nodes. Graphs may be arbitrarily deep.
@@ -22,14 +21,19 @@ class GraphDerivative {
   explicit GraphDerivative(const Field& variable);
   /// The derivative of a sampled field along a coordinate is one of its derivatives, sampled.
   Field of(const Field& f);
+  /// The same where f is defined: elsewhere it may be a number, as 1 for x + log y. Zeros are
+  /// constants, so that matrices of derivatives stay sparse; for what looks at f itself too.
+  Field where_defined(const Field& f);
 
  private:
   struct Known {
     Field node, derivative;  // the node is kept alive: its address is the key
+    bool tells;              // whether the derivative is no number wherever the node is none
   };
-  Field of_node(const Field& f) const;
+  Known of_node(const Field& f) const;
   Field of_source(const Field& f) const;
-  const Field& known(const Field& f) const { return known_.at(&f.node()).derivative; }
+  const Known& known(const Field& f) const { return known_.at(&f.node()); }
+  const Known& find(const Field& f);
 
   Field variable_;
   std::unordered_map<const Field::Node*, Known> known_;

@@ -51,9 +51,10 @@ std::vector<Field> SlotFunction::differentiated(const Field& function) {
     entries.push_back(entry);
   };
   for (int i = 0; i < slot_count(); ++i) {
-    const Field slope = along[i].of(function);
+    // The value tells where the function is not defined.
+    const Field slope = along[i].where_defined(function);
     add(gradient_, i, i, slope);
-    for (int j = i; j < slot_count(); ++j) add(hessian_, i, j, along[j].of(slope));
+    for (int j = i; j < slot_count(); ++j) add(hessian_, i, j, along[j].where_defined(slope));
   }
   return roots;
 }

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/expression_text.hpp"
 #include "core/spline_field.hpp"
 #include "core/tape.hpp"
 #include "tests/core/operation_rows.hpp"
@@ -104,8 +105,44 @@ TEST(GraphDerivative, AreUndefinedWhereTheFunctionIs) {
   }
   for (const Field& f : {log(x), pow(x, -1.0), pow(x, -0.5), pow(x, y - 1)})
     EXPECT_FALSE(std::isfinite(value_at(derivative_with_respect_to(f, x), {0, 0.5})));
-  // What does not depend on the variable is not looked at.
-  EXPECT_TRUE(derivative_with_respect_to(x + log(y), x).is_constant(1));
+}
+
+TEST(GraphDerivative, IsUndefinedAlsoWhereThePartThatIsDoesNotDependOnTheVariable) {
+  for (const Field& f :
+       {log(x), y + sqrt(x), y - 1 / (x + 1), y * y + log(x), y * sqrt(x), sqrt(x) * y, y / sqrt(x),
+        exp(y + sqrt(x)), -(sqrt(x) + y), sqrt(x) * 2, min(y, sqrt(x)), abs(y + log(x)),
+        select(y, y + log(x), y), hypot(y, log(x)), pow(y + sqrt(x), 2.0), partial(y + log(x), 1),
+        asin(x - 1) + apply(Operation::r0_conjunction, {y, y})}) {
+    EXPECT_FALSE(std::isfinite(value_at(f, {-1, 0.5})));
+    EXPECT_TRUE(std::isfinite(value_at(f, {0.7, 0.5})));
+    for (const Field& slope : {derivative_with_respect_to(f, y), partial(f, 1)}) {
+      EXPECT_FALSE(std::isfinite(value_at(slope, {-1, 0.5}))) << to_text(f);
+      EXPECT_TRUE(std::isfinite(value_at(slope, {0.7, 0.5}))) << to_text(f);
+    }
+    const Field again = derivative_with_respect_to(derivative_with_respect_to(f, y), y);
+    EXPECT_FALSE(std::isfinite(value_at(again, {-1, 0.5}))) << to_text(f);
+    EXPECT_NEAR(value_at(derivative_with_respect_to(f, y), {0.7, 0.5}),
+                value_at(partial(f, 1), {0.7, 0.5}), 1e-15);
+  }
+  // Infinite values are none either: the derivative of the finite part does not pass for one.
+  for (const Field& f : {y + log(x), sqrt(y + 1 / x), min(y, log(x)), abs(log(x) + y)})
+    EXPECT_FALSE(std::isfinite(value_at(derivative_with_respect_to(f, y), {0, 0.5}))) << to_text(f);
+}
+
+TEST(GraphDerivative, SaysNothingTwiceOfADomain) {
+  const auto text = [](const Field& f) { return to_text(derivative_with_respect_to(f, y)); };
+  EXPECT_EQ(text(y * sqrt(x)), "sqrt(x)");
+  EXPECT_EQ(text(exp(y)), "exp(y)");
+  EXPECT_EQ(text(log(y)), "1/y + 0*log(y)");
+  EXPECT_EQ(text(y + log(x)), "1 + 0*(y + log(x))");
+  EXPECT_TRUE(derivative_with_respect_to(hypot(x, 1), y).is_constant(0));
+}
+
+TEST(GraphDerivative, WhereTheFunctionIsDefinedZerosAreConstants) {
+  GraphDerivative along_y(y);
+  EXPECT_TRUE(along_y.where_defined(x + log(x)).is_constant(0));
+  EXPECT_TRUE(along_y.where_defined(y + log(x)).is_constant(1));
+  EXPECT_FALSE(along_y.of(y + log(x)).is_constant());
 }
 
 TEST(GraphDerivative, OfAParameterIsTheSensitivity) {
@@ -120,7 +157,8 @@ TEST(GraphDerivative, OfAParameterIsTheSensitivity) {
   EXPECT_NEAR(value(derivative_with_respect_to(fp, p), point, at), -square / std::pow(1.5, 3),
               1e-15);
   EXPECT_NEAR(value(derivative_with_respect_to(fp, q), point, at), -0.5 / 2.25, 1e-15);
-  EXPECT_TRUE(derivative_with_respect_to(f, parameter(2)).is_constant(0));
+  EXPECT_EQ(value(derivative_with_respect_to(f, parameter(2)), point, at), 0);
+  EXPECT_TRUE(derivative_with_respect_to(r, parameter(2)).is_constant(0));
 }
 
 TEST(GraphDerivative, CommutesWithPartialDerivatives) {
