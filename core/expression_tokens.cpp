@@ -84,12 +84,13 @@ void Tokenizer::cut_number() {
   // here, and "inf" does not begin with a digit.
   const auto [end, status] = std::from_chars(begin, text_.data() + text_.size(), value);
   const auto length = static_cast<std::size_t>(end - begin);
-  // Numbers too small for a double are zero; from_chars reports them like those too large.
   if (status == std::errc::result_out_of_range) {
     const std::string number(begin, length);
-    value = std::strtod(number.c_str(), nullptr);
-    if (std::isinf(value))
-      throw InputError("the number " + number + " is too large", position_, length);
+    const bool is_large = std::strtod(number.c_str(), nullptr) > 1;
+    throw InputError("the number " + number +
+                         (is_large ? " is too large: numbers go up to 1.797e308"
+                                   : " is too small: write 0, or a number from 4.941e-324 on"),
+                     position_, length);
   }
   cut(Token::Kind::number, length);
   next_.number = value;

@@ -25,7 +25,7 @@ std::vector<PointList> parse_columns(std::string_view rest, const std::string& n
     const auto words = words_of_line(*content);
     if (words.empty()) begins = true;
     if (words.empty() || words[0].starts_with('#')) continue;
-    if (std::exchange(may_be_titles, false) && !number_of(words[0])) continue;
+    if (std::exchange(may_be_titles, false) && !is_written_as_number(words[0])) continue;
     if (words.size() < 2 || words.size() > 3)
       refuse(name, line,
              "expected two numbers x, y or three with a bulge but found " +

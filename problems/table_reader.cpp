@@ -74,7 +74,7 @@ TablePoints parse_table(const std::string& text, const std::string& name) {
     const auto refuse = [&](const std::string& what) {
       throw InputError(name + ":" + std::to_string(line) + ": " + what, 0);
     };
-    if (std::exchange(may_be_titles, false) && !number_of(words[0])) continue;
+    if (std::exchange(may_be_titles, false) && !is_written_as_number(words[0])) continue;
     if (words.size() != 2)
       refuse("expected two numbers but found " + std::to_string(words.size()) +
              (words.size() == 1 ? " entry" : " entries"));

@@ -60,13 +60,25 @@ std::vector<std::string_view> words_of_line(std::string_view line) {
   }
 }
 
-std::optional<double> number_of(std::string_view word) {
+namespace {
+
+std::errc read_number(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
   const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (status != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const bool is_whole = end == word.data() + word.size() && std::isfinite(value);
+  return is_whole ? status : std::errc::invalid_argument;
+}
+
+}  // namespace
+
+std::optional<double> number_of(std::string_view word) {
+  double value = 0;
+  return read_number(word, value) == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+bool is_written_as_number(std::string_view word) {
+  double value = 0;  // stays so where the number is out of range
+  return read_number(word, value) != std::errc::invalid_argument;
 }
 
 }  // namespace rfm

@@ -18,7 +18,10 @@ std::optional<std::string_view> next_line(std::string_view& rest);
 /// What stands between commas, semicolons and blanks.
 std::vector<std::string_view> words_of_line(std::string_view line);
 
-/// A finite number, as a whole word.
+/// A finite number, as a whole word; nothing for one that a double does not hold, as 1e999.
 std::optional<double> number_of(std::string_view word);
+/// Whether the word is written as a number, one that a double does not hold included: what is not
+/// may be a title.
+bool is_written_as_number(std::string_view word);
 
 }  // namespace rfm

@@ -56,7 +56,9 @@ TEST(Tokenizer, KeepsQuotedTextsWhole) {
 }
 
 TEST(Tokenizer, ReadsNumbersToTheLastBit) {
-  for (const char* text : {"0.1", "1e308", "4.9406564584124654e-324", "08", ".5E+1"}) {
+  for (const char* text :
+       {"0.1", "1e308", "1.7976931348623157e308", "08", ".5E+1", "0e-999", "0e999",
+        "2.2250738585072011e-308", "1e-310", "4.9406564584124654e-324", "3e-324"}) {
     Tokenizer tokens{std::string_view(text)};
     EXPECT_EQ(tokens.peek().number, std::strtod(text, nullptr)) << text;
   }
@@ -66,7 +68,9 @@ TEST(Tokenizer, RefusesWhatNoTokenBeginsWith) {
   EXPECT_EQ(mistake("x @ 1"), "2+1: unexpected character '@'");
   EXPECT_EQ(mistake("3 \u00D7 x"),
             "2+2: unexpected character '\u00D7' (a multiplication sign: write '*')");
-  EXPECT_EQ(mistake("a + 1e999"), "4+5: the number 1e999 is too large");
+  EXPECT_EQ(mistake("a + 1e999"), "4+5: the number 1e999 is too large: numbers go up to 1.797e308");
+  EXPECT_EQ(mistake("a + 1e-999*b"),
+            "4+6: the number 1e-999 is too small: write 0, or a number from 4.941e-324 on");
   EXPECT_EQ(mistake("f(\"a"), "2+1: the quotation that begins here does not end");
 }
 

@@ -39,6 +39,9 @@ TEST(ParseTable, NamesTheLineOfAMistake) {
   EXPECT_EQ(mistake_in("x y\nx y\n"), "f.csv:2: expected a number but found 'x'");
   EXPECT_EQ(mistake_in("0 1\n1 nan\n"), "f.csv:2: expected a number but found 'nan'");
   EXPECT_EQ(mistake_in("0 1\n1 1e999\n"), "f.csv:2: expected a number but found '1e999'");
+  EXPECT_EQ(mistake_in("0 1\n1 1e-999\n"), "f.csv:2: expected a number but found '1e-999'");
+  // Not a line of titles.
+  EXPECT_EQ(mistake_in("1e-999 1\n1 2\n2 3\n"), "f.csv:1: expected a number but found '1e-999'");
   EXPECT_EQ(
       mistake_in("0 1\n1 2\n1 3\n"),
       "f.csv:3: the first column must ascend, but '1' is not larger than the number above it");
