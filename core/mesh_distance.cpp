@@ -57,7 +57,8 @@ TrianglePoint nearest_point(const Triangle& triangle, const Point& point) {
   const Point ab = minus(triangle[1], triangle[0]), ac = minus(triangle[2], triangle[0]);
   const Point normal = cross(ab, ac);
   const double area = dot(normal, normal);
-  if (area > 0) {
+  // The normal of a triangle that is a segment or a point is rounding.
+  if (area > 1e-24 * dot(ab, ab) * dot(ac, ac)) {
     const Point ap = minus(point, triangle[0]);
     const double v = dot(cross(ap, ac), normal) / area, w = dot(cross(ab, ap), normal) / area;
     if (v >= 0 && w >= 0 && v + w <= 1) {

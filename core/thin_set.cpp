@@ -160,4 +160,12 @@ Field polyline_function(const std::vector<Point>& points, int dimension, int p) 
   return joined(segments, p);
 }
 
+ThinSet composite_set(std::vector<ThinSet> parts) {
+  ThinSet set;
+  set.function = joined(parts);
+  set.dimension = parts[0].dimension;
+  set.parts = std::move(parts);
+  return set;
+}
+
 }  // namespace rfm

@@ -35,6 +35,8 @@ struct ThinSet {
   std::vector<Point> points;
   /// Of an arc: the tangent of a quarter of its angle, from the first to the second point.
   double bulge = 0;
+  /// Of a chain of segments or a surface of triangles: these. All above but `function` is theirs.
+  std::vector<ThinSet> parts = {};
 };
 
 /// |x − p|. Its derivatives do not exist at p.
@@ -62,5 +64,7 @@ ThinSet triangle_set(const Point& a, const Point& b, const Point& c,
 Field joined(const std::vector<ThinSet>& sets, int p = 2);
 /// The chain of segments through the points, joined.
 Field polyline_function(const std::vector<Point>& points, int dimension = 2, int p = 2);
+/// Several sets as one, with these as its `parts`. Throws as `joined`.
+ThinSet composite_set(std::vector<ThinSet> parts);
 
 }  // namespace rfm
