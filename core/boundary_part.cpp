@@ -55,14 +55,13 @@ bool same_surface(const Quadric& a, const Quadric& b, int dimension) {
   return true;
 }
 
-bool same_surface(const std::shared_ptr<const Primitive>& a,
-                  const std::shared_ptr<const Primitive>& b, int dimension) {
-  if (a == b || a->level.same_as(b->level)) return true;
-  const auto p = as_quadric(a->level, dimension), q = as_quadric(b->level, dimension);
+}  // namespace
+
+bool same_surface(const Field& a, const Field& b, int dimension) {
+  if (a.same_as(b)) return true;
+  const auto p = as_quadric(a, dimension), q = as_quadric(b, dimension);
   return p && q && same_surface(*p, *q, dimension);
 }
-
-}  // namespace
 
 std::optional<double> constant_slope(const Field& function, int dimension) {
   const std::optional<Quadric> q = as_quadric(function, dimension);
@@ -121,7 +120,7 @@ BoundaryPart part_touching(int primitive, const RegionEvaluator& region, const R
   BooleanExpression inside = shape.expression();
   std::vector<Field> ends;
   for (std::size_t k = 0; k < shape.primitives().size(); ++k)
-    if (same_surface(own, shape.primitives()[k], region.dimension()))
+    if (same_surface(own->level, shape.primitives()[k]->level, region.dimension()))
       inside = inside.restricted(static_cast<int>(k), true) |
                inside.restricted(static_cast<int>(k), false);
     else

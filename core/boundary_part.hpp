@@ -17,6 +17,10 @@ struct BoundaryPart {
   std::vector<Field> ends;
 };
 
+/// Whether two functions are the same, or the same polynomial of degree ≤ 2 up to a factor and
+/// rounding: then they have the same zeros.
+bool same_surface(const Field& a, const Field& b, int dimension);
+
 /// The slope |∇Q| of a polynomial of degree ≤ 2 on its zero set where that is one constant, as of
 /// planes, spheres and circular cylinders: |∇Q|² = g² + κQ identically.
 std::optional<double> constant_slope(const Field& function, int dimension);

@@ -6,6 +6,7 @@
 
 #include "core/boolean_simplification.hpp"
 #include "core/boundary_piece.hpp"
+#include "core/smooth_joints.hpp"
 #include "core/tape.hpp"
 #include "core/trim.hpp"
 #include "problems/boundary_coverage.hpp"
@@ -211,8 +212,9 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const std::optional<BooleanExpression>& regular_form) {
   DirichletPlan plan;
   using Enforcement = Condition::Enforcement;
+  const Primitives joints = smooth_joints(region, bounds);
   const auto joins_smoothly = [&](int primitive) {
-    return region.region().primitives()[primitive]->joins_smoothly;
+    return region.region().primitives()[primitive]->joins_smoothly || joints.contains(primitive);
   };
   Primitives bounding, candidates;
   for (const PieceCondition& piece : conditions) bounding.insert(piece.primitive);
