@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/boundary_part.hpp"
 #include "core/error.hpp"
 #include "core/level_function.hpp"
 #include "core/tape.hpp"
@@ -58,6 +59,16 @@ std::vector<Separator> trims(const ThinSet& piece, const std::string& name) {
   return list;
 }
 
+// Lines and circles are the same in several guises: the chord of an arc is what trims it.
+bool is_new(const Separator& separator, const std::vector<Field>& functions,
+            const std::vector<Separator>& others, int dimension) {
+  const auto is_other = [&](const Field& function) {
+    return !same_surface(function, separator.function, dimension);
+  };
+  return std::ranges::all_of(functions, is_other) &&
+         std::ranges::all_of(others, is_other, &Separator::function);
+}
+
 Box box_of(const std::vector<ThinSet>& pieces) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const int dimension = pieces.empty() ? 2 : pieces[0].dimension;
@@ -91,10 +102,18 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
                                const Box& bounds) {
   if (pieces.empty() || names.size() != pieces.size())
     throw InvalidArgument("a solid has pieces of its boundary, each with a name");
+  const int dimension = bounds.dimension;
   std::vector<Field> functions;
-  for (const ThinSet& piece : pieces) {
-    if (!piece.surface) throw InvalidArgument("a piece of the boundary of a solid has a surface");
-    functions.push_back(*piece.surface);
+  std::vector<std::vector<std::size_t>> members;  // the pieces on each curve
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].surface)
+      throw InvalidArgument("a piece of the boundary of a solid has a surface");
+    const Field& surface = *pieces[i].surface;
+    const auto known = std::ranges::find_if(
+        functions, [&](const Field& other) { return same_surface(other, surface, dimension); });
+    members.resize(std::max(members.size(), std::size_t(known - functions.begin()) + 1));
+    members[known - functions.begin()].push_back(i);
+    if (known == functions.end()) functions.push_back(surface);
   }
   const int own = static_cast<int>(functions.size());
   SetDescription description(functions, membership, bounds);
@@ -105,9 +124,8 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
     std::vector<Separator> more;
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (Separator& separator : kind(pieces[i], names[i]))
-        if (std::ranges::none_of(candidates, [&](const Separator& earlier) {
-              return earlier.function.same_as(separator.function);
-            }))
+        if (is_new(separator, functions, candidates, dimension) &&
+            is_new(separator, {}, more, dimension))
           more.push_back(std::move(separator));
     // Those of an earlier kind are taken away last.
     candidates.insert(candidates.begin(), more.begin(), more.end());
@@ -118,25 +136,34 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
   const std::vector<bool> used = without_needless_separators(description, own);
   const BooleanExpression expression = description.restricted(used).minimal_form();
 
-  const int dimension = bounds.dimension;
   std::vector<std::shared_ptr<const Primitive>> primitives;
-  for (int i = 0; i < own; ++i)
+  std::vector<OutlineSide> sides;
+  for (int i = 0; i < own; ++i) {
+    std::string name = names[members[i][0]];
+    if (members[i].size() > 1) name += "_line";
+    for (const std::size_t piece : members[i])
+      if (members[i].size() > 1) sides.push_back({names[piece], {name}, pieces[piece].where});
     primitives.push_back(std::make_shared<const Primitive>(
-        Primitive{names[i], normalize(functions[i], dimension), functions[i]}));
-  DescribedSolid solid{Region(dimension, primitives, BooleanExpression::variable(0)),
-                       conflict,
-                       static_cast<int>(candidates.size()),
-                       {}};
+        Primitive{name, normalize(functions[i], dimension), functions[i]}));
+  }
+  std::vector<std::string> needed, needless;
+  std::vector<int> number(static_cast<std::size_t>(own) + candidates.size(), 0);
+  for (int i = 0; i < own; ++i) number[i] = i;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Separator& separator = candidates[i];
-    const bool kept = used[own + i];
-    if (kept) solid.separators.push_back(separator.text);
+    (used[own + i] ? needed : needless).push_back(separator.text);
+    if (!used[own + i]) continue;
+    number[own + i] = static_cast<int>(primitives.size());
     primitives.push_back(std::make_shared<const Primitive>(
-        Primitive{"separator" + std::to_string(i + 1), normalize(separator.function, dimension),
-                  separator.function, true}));
+        Primitive{"separator" + std::to_string(needed.size()),
+                  normalize(separator.function, dimension), separator.function, true}));
   }
-  solid.region = Region(dimension, std::move(primitives), expression);
-  return solid;
+  return {Region(dimension, std::move(primitives), expression.renamed(number)),
+          std::move(sides),
+          conflict,
+          static_cast<int>(candidates.size()),
+          std::move(needed),
+          std::move(needless)};
 }
 
 DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
@@ -152,7 +179,9 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
       if (distances.value(point, static_cast<int>(i)) <= near) return Truth::unknown;
     return winding.is_inside(point) ? Truth::yes : Truth::no;
   };
-  return described_solid(pieces, names, membership, bounds);
+  DescribedSolid solid = described_solid(pieces, names, membership, bounds);
+  solid.region = solid.region.within(bounds);
+  return solid;
 }
 
 }  // namespace rfm

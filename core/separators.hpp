@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/outline.hpp"
 #include "core/set_description.hpp"
 #include "core/thin_set.hpp"
 
@@ -13,13 +14,17 @@ namespace rfm {
 /// A solid that is given by the pieces of its boundary, as a Boolean expression.
 struct DescribedSolid {
   /// Its primitives are the curves (surfaces) of the pieces, in their order, then the separators
-  /// that are needed, which select only.
+  /// that are needed, which select only. Pieces on one curve share a primitive, with the name of
+  /// the first of them and `_line`.
   Region region;
+  /// The pieces that share a primitive, each with the part that is its own.
+  std::vector<OutlineSide> sides;
   /// A point inside and one outside that the curves of the pieces alone do not tell apart; nothing
   /// if they describe the solid.
   std::optional<std::pair<Point, Point>> conflict;
   int candidates = 0;                   ///< separators that were tried
   std::vector<std::string> separators;  ///< those that are left, in words: "the chord of arc2"
+  std::vector<std::string> needless;    ///< those that were taken away
 };
 
 /// The inverse problem of analytic geometry (V. Shapiro, Acta Numerica 16 (2007), §5.3): an

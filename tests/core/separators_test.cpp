@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/evaluate.hpp"
 #include "core/winding_sign.hpp"
 
 namespace rfm {
@@ -78,10 +79,43 @@ TEST(Separators, AreTheChordsThatTellTwoPartsOfACellApart) {
   ASSERT_TRUE(solid.conflict);
   EXPECT_LE(solid.conflict->first[1], 1e-9);  // inside
   EXPECT_GE(solid.conflict->second[1], -1e-9);
-  EXPECT_EQ(solid.candidates, 3);
+  EXPECT_EQ(solid.candidates, 1);
   ASSERT_EQ(solid.separators.size(), 1u);
   EXPECT_THAT(solid.separators[0], testing::HasSubstr("the chord of p"));
   expect_inside(solid, wave, 2.2);
+}
+
+TEST(Separators, AreTriedAndTakenAwayByName) {
+  // The chords of the wave lie on one line: one is tried, and needed.
+  const std::vector<ThinSet> wave{arc_set({0.5, 0}, 0.5, 0, pi), arc_set({1.5, 0}, 0.5, pi, 2 * pi),
+                                  arc_set({1, 0}, 1, pi, 2 * pi)};
+  const DescribedSolid solid = described_solid(wave, {"bump", "bite", "bowl"});
+  EXPECT_THAT(solid.separators, testing::ElementsAre("the chord of bump"));
+  EXPECT_TRUE(solid.needless.empty());
+  // Only those that are needed are primitives, and they bound nothing.
+  ASSERT_EQ(solid.region.primitives().size(), 4u);
+  EXPECT_EQ(solid.region.primitives()[2]->name, "bowl");
+  EXPECT_TRUE(solid.region.primitives()[3]->selects_only);
+}
+
+TEST(Separators, PiecesOnOneCurveShareAPrimitive) {
+  // A disk without two bites that do not touch: two arcs of the rim.
+  const double t = pi / 6;
+  std::vector<ThinSet> pieces;
+  for (const double turn : {0.0, pi}) {
+    pieces.push_back(arc_set({0, 0}, 2, turn + t, turn + pi - t));
+    const Point at{4 * std::cos(t) * std::cos(turn), 0};
+    pieces.push_back(arc_set(at, 2, turn + pi - t, turn + pi + t));
+  }
+  const DescribedSolid solid = described_solid(pieces, {"top", "right", "bottom", "left"});
+  ASSERT_EQ(solid.region.primitives().size(), 3u);
+  EXPECT_EQ(solid.region.primitives()[0]->name, "top_line");
+  ASSERT_EQ(solid.sides.size(), 2u);
+  EXPECT_EQ(solid.sides[1].name, "bottom");
+  EXPECT_THAT(solid.sides[1].pieces, testing::ElementsAre("top_line"));
+  EXPECT_GT(value_at(*solid.sides[0].where, {0, 2}), 0);
+  EXPECT_LT(value_at(*solid.sides[1].where, {0, 2}), 0);
+  expect_inside(solid, pieces, 2.3);
 }
 
 TEST(Separators, OfATetrahedronAreNotNeeded) {
