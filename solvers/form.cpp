@@ -52,8 +52,9 @@ Field with_slots(const Field& formula, const std::vector<Field>& slots) {
       });
 }
 
+// Where the formula is defined: terms that are zero are none, whatever they are the zero of.
 Field derivative(const Field& formula, const SymbolSlot& slot) {
-  return derivative_with_respect_to(formula, slot.field());
+  return GraphDerivative(slot.field()).where_defined(formula);
 }
 
 }  // namespace

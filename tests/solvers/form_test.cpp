@@ -105,6 +105,17 @@ TEST(Form, IsLinearWhereItsTangentDoesNotDependOnTheUnknowns) {
   EXPECT_THROW(Form::weak(u * u * v).linear(), InvalidArgument);
 }
 
+TEST(Form, CoefficientsThatAreNotDefinedEverywhereMakeNoTermsMore) {
+  const Field k = sqrt(x) / y;
+  const Slot along_x{0, unit_index(0)}, along_y{0, unit_index(1)};
+  for (const Form& form : {Form::weak(k * dot(gradient(u, 2), gradient(v, 2)) + log(x) * v),
+                           Form::energy(0.5 * k * squared_slope(u) + log(x) * u)}) {
+    EXPECT_TRUE(form.is_linear());
+    EXPECT_TRUE(form.tangent(along_x, along_y, 2).is_constant(0));
+    EXPECT_FALSE(form.tangent(along_x, along_x, 2).is_constant(0));
+  }
+}
+
 TEST(Form, OfAQuadraticEnergyIsTheSameSystemAsByHand) {
   const State state;
   const Field k = 1.0 + x * x / (2.0 + y);
