@@ -44,20 +44,25 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
   const BooleanExpression with = whole.restricted(primitive, true);
   const BooleanExpression without = whole.restricted(primitive, false);
   const Primitive& source = *region.region().primitives()[primitive];
-  BoundaryPiece piece{primitive, source.name, source.function, true};
+  BoundaryPiece piece{primitive, source.name, source.function, source.function, true};
   const Side side = side_of(primitive, region);
+  if (side == Side::negative) piece.function = piece.from_inside = -source.function;
   SignTree tree(region, bounds);
-  if (side == Side::both || extends_beyond_piece(primitive, tree)) {
-    piece.whole = false;
-    const BooleanExpression decides = (with & !without) | ((!with) & without);
-    piece.function =
-        trim(source.function, implicit(decides.negations_at_leaves(), region.region()));
-    return piece;
-  }
-  if (side == Side::negative) piece.function = -source.function;
+  piece.whole = side != Side::both && !extends_beyond_piece(primitive, tree);
   // In another part of a union the primitive has the other sign; nowhere in the region is it 0.
-  if (has_sign_within(primitive, side == Side::negative, tree))
-    piece.function = abs(source.function);
+  if (piece.whole && !has_sign_within(primitive, side == Side::negative, tree)) return piece;
+  const BooleanExpression decides = (with & !without) | ((!with) & without);
+  const Field where = implicit(decides.negations_at_leaves(), region.region());
+  if (side != Side::both) {
+    // Other pieces lie on {where = 0}, on either side by rounding: away from its own surface the
+    // function is positive there, too.
+    const Field across =
+        select(apply(Operation::less, {piece.from_inside, -1e-9 * bounds.longest_side()}),
+               -piece.from_inside, piece.from_inside);
+    piece.from_inside = trim_from_inside(across, where);
+  }
+  piece.function = piece.whole ? abs(source.function) : trim(source.function, where);
+  if (side == Side::both) piece.from_inside = piece.function;
   return piece;
 }
 

@@ -17,6 +17,11 @@ struct BoundaryPiece {
   /// in the closed region belongs to the piece (|γ_k| where it has both signs within, as in a union
   /// of parts that do not meet), otherwise the trim (see `trim`). Normalised.
   Field function;
+  /// The same in the region and smooth across the piece: derivatives of structures may be taken at
+  /// points of it that rounding puts on either side (within 10⁻⁹ of the size of the bounds). Where
+  /// the region lies on both sides of the primitive there is no such function, and this is
+  /// `function`.
+  Field from_inside;
   /// Whether the whole zero set belongs to the piece.
   bool whole = true;
 };

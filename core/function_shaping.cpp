@@ -17,6 +17,13 @@ Field saturate(const Field& omega, const Saturation& saturation) {
   return omega / (1 + pow(size, saturation.alpha));
 }
 
+Field level_off(const Field& omega, double length) {
+  if (!(length > 0))
+    throw InvalidArgument("a function levels off at a positive length, got " +
+                          std::to_string(length));
+  return omega / sqrt(1.0 + omega * omega / (length * length));
+}
+
 Field cap(const Field& omega, const Field& gamma) { return conjunction(omega, gamma); }
 
 Field plateau(const Field& omega, const PlateauRule& rule) {

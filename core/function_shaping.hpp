@@ -12,6 +12,12 @@ namespace rfm {
 /// `InvalidArgument` unless α ≥ 1 and β > 0.
 Field saturate(const Field& omega, const Saturation& saturation);
 
+/// ω / √(1 + (ω/L)²): tends to L where ω is large, and is ω + O(ω³), normalised to order 2 where ω
+/// is. Distances in transfinite interpolation should not exceed the size of the domain: of large
+/// numbers, one set of data changes into another within a thin layer, and digits cancel. Throws
+/// `InvalidArgument` unless L > 0.
+Field level_off(const Field& omega, double length);
+
 /// ω ∧₀ γ, below γ where γ > 0 and as ω for ω → 0: normalised to order 1 where ω is.
 Field cap(const Field& omega, const Field& gamma);
 

@@ -116,5 +116,24 @@ TEST(BoundaryPiece, NormalsAreUnitVectorsOutOfTheRegion) {
   expect(normal_at(a ^ b, 0, {1, 0}), -1, 0);   // and outside of it within b
 }
 
+TEST(BoundaryPiece, SeenFromInsideIsSmoothAcrossThePieceAndTheSameWithin) {
+  // A side that goes on into the region, one of a union whose parts do not meet, and a hole.
+  const Region apart = (circle({0, 0}, 1) - circle({0, 0}, 0.3).named("hole")) |
+                       (half_plane({3, 0}, {1, 0}).named("left") & circle({3, 0}, 1).named("cap"));
+  for (const auto& [region, name, at, inward] :
+       {std::tuple(ell, "small.left", Point{0.5, 0.6}, Point{-1, 0}),
+        std::tuple(apart, "left", Point{3, 0.2}, Point{1, 0}),
+        std::tuple(apart, "hole", Point{0, 0.3}, Point{0, 1})}) {
+    const BoundaryPiece piece = piece_of(region, name);
+    // As far outside as rounding may put a point, and more.
+    const Point outside{at[0] - 1e-10 * inward[0], at[1] - 1e-10 * inward[1]};
+    const Point inside{at[0] + 1e-3 * inward[0], at[1] + 1e-3 * inward[1]};
+    EXPECT_LT(value_at(piece.from_inside, outside), 0) << name;
+    EXPECT_NEAR(value_at(piece.from_inside, inside), value_at(piece.function, inside), 1e-15);
+    expect_boundary(piece.from_inside, at, inward);
+    expect_positive_within(piece.from_inside, region);
+  }
+}
+
 }  // namespace
 }  // namespace rfm

@@ -37,6 +37,17 @@ TEST(Saturate, IsOddAndBounded) {
   }
 }
 
+TEST(LevelOff, IsNormalizedToOrderTwoAndTendsToTheLength) {
+  const PointJet jet = evaluate(level_off(x, 2), {0}, 3, 1);
+  EXPECT_EQ(jet.value(), 0);
+  EXPECT_EQ(jet.derivative(1), 1);
+  EXPECT_EQ(jet.derivative(2), 0);
+  EXPECT_DOUBLE_EQ(jet.derivative(3), -3.0 / 4);  // x − x³/2L² + …
+  EXPECT_NEAR(value_at(level_off(x, 2), {1e9}), 2, 1e-15);
+  EXPECT_EQ(value_at(level_off(x, 2), {-3}), -value_at(level_off(x, 2), {3}));
+  EXPECT_THROW(level_off(x, 0), InvalidArgument);
+}
+
 TEST(Cap, IsBelowBothAndNormalized) {
   const Field f = cap(x, 0.3);
   for (double at = 0.01; at < 100; at *= 1.7) EXPECT_LT(value_at(f, {at}), std::min(at, 0.3));
