@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/field.hpp"
+#include "solution_structures/structure.hpp"
+
+namespace rfm {
+
+// Conditions on an unknown with one component, on parts of the boundary; n is the outward normal.
+
+/// u = value.
+struct ValueCondition {
+  Field value;
+};
+/// ∂u/∂n = slope.
+struct SlopeCondition {
+  Field slope;
+};
+/// a u + b ∂u/∂n = c.
+struct RobinCondition {
+  Field a, b, c;
+};
+/// a u + direction·∇u = c.
+struct ObliqueCondition {
+  std::vector<Field> direction;
+  Field a, c;
+};
+/// u = deflection, ∂u/∂n = rotation.
+struct ClampedCondition {
+  Field deflection, rotation;
+};
+/// u = deflection, and the bending moment for unit rigidity.
+struct SupportedCondition {
+  Field deflection, moment;
+  Field poisson_ratio = 0.3;
+};
+
+/// A condition and the part of the boundary where it holds: `omega` is zero there, positive
+/// elsewhere, and normalised (`BoundaryPiece::from_inside`, levelled
+/// off at the size of the domain: function_shaping.hpp).
+struct StructureCondition {
+  std::variant<ValueCondition, SlopeCondition, RobinCondition, ObliqueCondition, ClampedCondition,
+               SupportedCondition>
+      condition;
+  Field omega;
+};
+
+struct DerivationOptions {
+  int dimension = 2;
+  /// What multiplies the last Ψ, in the place of the product of all functions.
+  std::optional<Field> remainder{};
+  /// The size of the domain, to an order of magnitude: for oblique conditions.
+  double length = 1;
+};
+
+/// The structure that satisfies all conditions, found from them alone by (7.12) of Shapiro (2007):
+/// each gives an expression P and an exponent (condition_part.hpp), and
+///
+///     u = Σ Pᵢ ωᵢ^−μᵢ / Σ ωᵢ^−μᵢ + Ψ Π ωᵢ^μᵢ .
+///
+/// Where the value is not prescribed, P is made of Ψ1, the same for all such parts; each supported
+/// edge has a Ψ for its slope; the last Ψ is that of the remainder. Values that are the same
+/// field are one part, so that no quotient stands between them. Parts without condition are simply
+/// not named, as are those where a natural condition is left to the energy. Without any condition
+/// u = Ψ1. At points where parts meet the quotients are 0/0, and data that do not agree there
+/// cannot be interpolated continuously.
+Structure derived_structure(const std::vector<StructureCondition>& conditions,
+                            const DerivationOptions& options = {});
+
+}  // namespace rfm
