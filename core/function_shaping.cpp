@@ -24,6 +24,12 @@ Field level_off(const Field& omega, double length) {
   return omega / sqrt(1.0 + omega * omega / (length * length));
 }
 
+Field cutoff(const Field& omega, double width) {
+  if (!(width > 0))
+    throw InvalidArgument("a cutoff has a positive width, got " + std::to_string(width));
+  return exp(-pow(omega / width, 4));
+}
+
 Field cap(const Field& omega, const Field& gamma) { return conjunction(omega, gamma); }
 
 Field plateau(const Field& omega, const PlateauRule& rule) {

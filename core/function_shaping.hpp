@@ -18,6 +18,10 @@ Field saturate(const Field& omega, const Saturation& saturation);
 /// `InvalidArgument` unless L > 0.
 Field level_off(const Field& omega, double length);
 
+/// exp(−(ω/w)⁴): 1 + O(ω⁴) where ω = 0, below 10⁻¹⁰ from ω = 2.2 w on, analytic: keeps corrections
+/// of solution structures near the boundary. Throws `InvalidArgument` unless w > 0.
+Field cutoff(const Field& omega, double width);
+
 /// ω ∧₀ γ, below γ where γ > 0 and as ω for ω → 0: normalised to order 1 where ω is.
 Field cap(const Field& omega, const Field& gamma);
 

@@ -37,19 +37,20 @@ Structure mixed(const std::vector<ConditionPart>& parts, const Structure& psi,
   return transfinite(parts) + factor.value_or(remainder_factor(parts)) * psi;
 }
 
-Structure corrected_values(const Structure& w, const Field& omega,
-                           const std::vector<NaturalPart>& natural, const Structure& psi) {
+Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
+                    const Structure& psi, const std::optional<Field>& values) {
   Structure u = w;
-  Field remainder = omega;
+  Field remainder = 0.0;
   for (const NaturalPart& part : natural) {
     const Field square = pow(part.omega, 2);
-    Field factor = omega * part.omega / (omega + square);
+    Field share = part.cutoff;
     for (const NaturalPart& other : natural)
-      if (&other != &part) factor = factor * pow(other.omega, 2) / (pow(other.omega, 2) + square);
-    u = u - factor * part.excess;
-    remainder = remainder * square;
+      if (&other != &part) share = share * (pow(other.omega, 2) / (pow(other.omega, 2) + square));
+    const Field correction = share * part.omega;
+    u = u - (values ? correction * (*values / (*values + square)) : correction) * part.excess;
+    remainder = remainder + share * square;
   }
-  return u + remainder * psi;
+  return u + (values ? *values * remainder : remainder) * psi;
 }
 
 }  // namespace rfm

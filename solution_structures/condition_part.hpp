@@ -37,18 +37,28 @@ Field remainder_factor(const std::vector<ConditionPart>& parts);
 Structure mixed(const std::vector<ConditionPart>& parts, const Structure& psi,
                 const std::optional<Field>& factor = {});
 
-/// Values and natural conditions without quotients between them, our own form:
-///
-///     u = w − Σᵢ ω₀ ωᵢ / (ω₀ + ωᵢ²) Rᵢ(w) + Ψ ω₀ Π ωᵢ²,
-///
-/// where w takes the values on ω₀ = 0 (a Dirichlet structure) and Rᵢ(w) is by how much ∂w/∂νᵢ is
-/// too large. The factor is ωᵢ + O(ωᵢ³) next to part i and zero on ω₀ = 0. Of several natural parts
-/// the others' functions multiply it as ωⱼ²/(ωⱼ² + ωᵢ²).
+/// A condition of first order as a correction of what does not satisfy it.
 struct NaturalPart {
-  Structure excess;  ///< R(w)
+  /// By how much ∂w/∂ν is too large (normal_conditions.hpp).
+  Structure excess;
   Field omega;
+  /// Multiplies the correction: 1 where ω = 0, with no slope there; see `corrected`.
+  Field cutoff = 1.0;
 };
-Structure corrected_values(const Structure& w, const Field& omega,
-                           const std::vector<NaturalPart>& natural, const Structure& psi);
+
+/// Conditions of first order on top of a structure w, without quotients between data. Our own form:
+///
+///     u = w − Σᵢ χᵢ ωᵢ ω₀/(ω₀ + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ² ,
+///
+/// where w takes the prescribed values on ω₀ = 0 (a Dirichlet structure; without `values`, Ψ1
+/// itself and ω₀ = ∞), Rᵢ is the excess, and of several parts χᵢ stands for χᵢ Π ωⱼ²/(ωⱼ² + ωᵢ²).
+///
+/// With χ = exp(−(ω/w)⁴) (`cutoff` of core/function_shaping.hpp), w from one to one and a half
+/// cells, corrections stay near the boundary, and Ψ needs no splines further away than 2.2 w. This
+/// is better than χ = 1: of order p in H1 for splines of degree p where Ψ1 − ω D(ω, Ψ1) alone has
+/// p − 1, with a system whose smallest eigenvalue is 10⁻³ and not 0 as that of Ψ1 and ω² Ψ2
+/// everywhere (`tests/solvers/completeness_test.cpp`).
+Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
+                    const Structure& psi, const std::optional<Field>& values = {});
 
 }  // namespace rfm

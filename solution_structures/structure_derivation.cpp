@@ -1,7 +1,9 @@
 #include "solution_structures/structure_derivation.hpp"
 
+#include <algorithm>
+
+#include "core/function_shaping.hpp"
 #include "solution_structures/condition_part.hpp"
-#include "solution_structures/normal_conditions.hpp"
 #include "solution_structures/plate_conditions.hpp"
 
 namespace rfm {
@@ -14,13 +16,14 @@ bool same_value(const Field& a, const Field& b) {
 /// Conditions become parts one after the other; undetermined functions are numbered as they come.
 class Derivation {
  public:
-  explicit Derivation(const DerivationOptions& options) : options_(options) {}
-
-  void add(const StructureCondition& piece) {
-    std::visit([&](const auto& condition) { add(condition, piece.omega); }, piece.condition);
+  Derivation(const std::vector<StructureCondition>& conditions, const DerivationOptions& options)
+      : options_(options) {
+    for (const StructureCondition& piece : conditions)
+      std::visit([&](const auto& condition) { add(condition, piece.omega); }, piece.condition);
   }
 
-  Structure result() {
+  /// (7.12).
+  Structure joined() {
     if (parts_.empty()) return Structure::undetermined(0);
     return mixed(parts_, Structure::undetermined(unknowns_), options_.remainder);
   }
@@ -39,13 +42,11 @@ class Derivation {
   void add(const SlopeCondition& condition, const Field& omega) {
     parts_.push_back(normal_derivative_part(value(), omega, condition.slope, options_.dimension));
   }
-  void add(const RobinCondition& condition, const Field& omega) {
-    parts_.push_back(
-        robin_part(value(), omega, condition.a, condition.b, condition.c, options_.dimension));
+  void add(const RobinData& data, const Field& omega) {
+    parts_.push_back(robin_part(value(), omega, data, options_.dimension));
   }
-  void add(const ObliqueCondition& condition, const Field& omega) {
-    parts_.push_back(oblique_part(value(), omega, condition.direction, condition.a, condition.c,
-                                  options_.length));
+  void add(const ObliqueData& data, const Field& omega) {
+    parts_.push_back(oblique_part(value(), omega, data));
   }
   void add(const ClampedCondition& condition, const Field& omega) {
     parts_.push_back(
@@ -70,13 +71,52 @@ class Derivation {
   int unknowns_ = 0;
 };
 
+bool is_value(const StructureCondition& piece) {
+  return std::holds_alternative<ValueCondition>(piece.condition);
+}
+bool is_of_first_order(const StructureCondition& piece) {
+  return std::holds_alternative<SlopeCondition>(piece.condition) ||
+         std::holds_alternative<RobinData>(piece.condition) ||
+         std::holds_alternative<ObliqueData>(piece.condition);
+}
+
+// By how much the structure `w` misses a condition of first order.
+Structure excess(const Structure& w, const StructureCondition& piece, int dimension) {
+  if (const auto* slope = std::get_if<SlopeCondition>(&piece.condition))
+    return normal_derivative_excess(w, piece.omega, slope->slope, dimension);
+  if (const auto* robin = std::get_if<RobinData>(&piece.condition))
+    return robin_excess(w, piece.omega, *robin, dimension);
+  return oblique_excess(w, piece.omega, std::get<ObliqueData>(piece.condition));
+}
+
+Structure corrected_near_boundary(const std::vector<StructureCondition>& conditions,
+                                  const DerivationOptions& options) {
+  std::vector<StructureCondition> values;
+  std::optional<Field> omega;
+  for (const StructureCondition& piece : conditions) {
+    if (!is_value(piece)) continue;
+    values.push_back(piece);
+    omega = omega ? *omega * piece.omega : piece.omega;
+  }
+  const Structure w = Derivation(values, options).joined();
+  std::vector<NaturalPart> natural;
+  for (const StructureCondition& piece : conditions)
+    if (!is_value(piece))
+      natural.push_back(
+          {excess(w, piece, options.dimension), piece.omega, cutoff(piece.omega, *options.reach)});
+  return corrected(w, natural, Structure::undetermined(1), omega);
+}
+
 }  // namespace
 
 Structure derived_structure(const std::vector<StructureCondition>& conditions,
                             const DerivationOptions& options) {
-  Derivation derivation(options);
-  for (const StructureCondition& condition : conditions) derivation.add(condition);
-  return derivation.result();
+  if (options.reach && std::ranges::any_of(conditions, is_of_first_order) &&
+      std::ranges::all_of(conditions, [](const StructureCondition& piece) {
+        return is_value(piece) || is_of_first_order(piece);
+      }))
+    return corrected_near_boundary(conditions, options);
+  return Derivation(conditions, options).joined();
 }
 
 }  // namespace rfm

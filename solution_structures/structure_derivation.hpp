@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "solution_structures/normal_conditions.hpp"
 #include "solution_structures/structure.hpp"
 
 namespace rfm {
@@ -15,18 +16,9 @@ namespace rfm {
 struct ValueCondition {
   Field value;
 };
-/// ∂u/∂n = slope.
+/// ∂u/∂n = slope; conditions with more coefficients are `RobinData` and `ObliqueData`.
 struct SlopeCondition {
   Field slope;
-};
-/// a u + b ∂u/∂n = c.
-struct RobinCondition {
-  Field a, b, c;
-};
-/// a u + direction·∇u = c.
-struct ObliqueCondition {
-  std::vector<Field> direction;
-  Field a, c;
 };
 /// u = deflection, ∂u/∂n = rotation.
 struct ClampedCondition {
@@ -42,7 +34,7 @@ struct SupportedCondition {
 /// elsewhere, and normalised (`BoundaryPiece::from_inside`, levelled
 /// off at the size of the domain: function_shaping.hpp).
 struct StructureCondition {
-  std::variant<ValueCondition, SlopeCondition, RobinCondition, ObliqueCondition, ClampedCondition,
+  std::variant<ValueCondition, SlopeCondition, RobinData, ObliqueData, ClampedCondition,
                SupportedCondition>
       condition;
   Field omega;
@@ -52,8 +44,9 @@ struct DerivationOptions {
   int dimension = 2;
   /// What multiplies the last Ψ, in the place of the product of all functions.
   std::optional<Field> remainder{};
-  /// The size of the domain, to an order of magnitude: for oblique conditions.
-  double length = 1;
+  /// How far corrections for derivatives reach (`cutoff`), one to one and a half cells. Without it
+  /// everything is joined by (7.12).
+  std::optional<double> reach{};
 };
 
 /// The structure that satisfies all conditions, found from them alone by (7.12) of Shapiro (2007):
@@ -67,6 +60,10 @@ struct DerivationOptions {
 /// not named, as are those where a natural condition is left to the energy. Without any condition
 /// u = Ψ1. At points where parts meet the quotients are 0/0, and data that do not agree there
 /// cannot be interpolated continuously.
+///
+/// With `reach`, and values and conditions of first order only, derivatives are corrections of a
+/// Dirichlet structure next to the boundary instead (`corrected`): more accurate, and the last Ψ
+/// needs splines within 2.2 reach of the parts with derivatives only.
 Structure derived_structure(const std::vector<StructureCondition>& conditions,
                             const DerivationOptions& options = {});
 

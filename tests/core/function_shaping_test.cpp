@@ -48,6 +48,15 @@ TEST(LevelOff, IsNormalizedToOrderTwoAndTendsToTheLength) {
   EXPECT_THROW(level_off(x, 0), InvalidArgument);
 }
 
+TEST(Cutoff, IsOneOnTheBoundaryToOrderThreeAndNothingFurtherInside) {
+  const PointJet jet = evaluate(cutoff(x, 0.5), {0}, 4, 1);
+  EXPECT_EQ(jet.value(), 1);
+  for (int k = 1; k <= 3; ++k) EXPECT_EQ(jet.derivative(k), 0);
+  EXPECT_NEAR(jet.derivative(4), -24 * 16, 1e-12);
+  EXPECT_LT(value_at(cutoff(x, 0.5), {1.1}), 1e-10);
+  EXPECT_THROW(cutoff(x, 0), InvalidArgument);
+}
+
 TEST(Cap, IsBelowBothAndNormalized) {
   const Field f = cap(x, 0.3);
   for (double at = 0.01; at < 100; at *= 1.7) EXPECT_LT(value_at(f, {at}), std::min(at, 0.3));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
+#include "core/function_shaping.hpp"
 #include "solution_structures/normal_conditions.hpp"
 #include "solution_structures/structure_text.hpp"
 #include "solution_structures/verification.hpp"
@@ -30,7 +31,7 @@ double deviation(const Structure& structure, const BoundaryOperator& condition, 
 }
 
 TEST(Mixed, ValueAndRobinHoldOnTheirParts) {
-  const Structure u = mixed({{g, ring.outer, 1}, robin_part(psi1, ring.inner, a, b, c, 2)}, psi2);
+  const Structure u = mixed({{g, ring.outer, 1}, robin_part(psi1, ring.inner, {a, b, c}, 2)}, psi2);
   EXPECT_LT(deviation(u, value(), g, ring.outer_points), 1e-12);
   EXPECT_LT(deviation(u, robin_of(ring.inner_normal), c, ring.inner_points), 1e-11);
   EXPECT_GT(deviation(u, value(), g, ring.inner_points), 0.1);
@@ -42,7 +43,7 @@ TEST(Mixed, OfTwoPartsIsTheFormulaOfTheSurvey) {
   const Structure second = psi1 - two * D(two, psi1, 2) - (two * h) * psi1 + two * data;
   const Structure printed =
       ((g * pow(two, 2)) + one * second) / (one + pow(two, 2)) + (one * pow(two, 2)) * psi2;
-  const Structure general = mixed({{g, one, 1}, robin_part(psi1, two, a, b, c, 2)}, psi2);
+  const Structure general = mixed({{g, one, 1}, robin_part(psi1, two, {a, b, c}, 2)}, psi2);
   const std::vector<Point> inside{{0.7, 0.1}, {-0.5, 0.3}, {0.1, -0.6}, {0.2, 0.7}};
   const Field expected = random_solution({printed}, 2, 1)[0];
   EXPECT_LT(largest_deviation({general}, value(), expected, inside, {.count = 1}).largest, 1e-13);
@@ -50,7 +51,7 @@ TEST(Mixed, OfTwoPartsIsTheFormulaOfTheSurvey) {
 
 TEST(Mixed, ExponentsBelowThoseOfTheConditionsLoseThem) {
   // With k instead of k + 1, as misprinted in (7.12), the derivative on part 2 is lost.
-  ConditionPart natural = robin_part(psi1, ring.inner, a, b, c, 2);
+  ConditionPart natural = robin_part(psi1, ring.inner, {a, b, c}, 2);
   natural.exponent = 1;
   const Structure u = mixed({{g, ring.outer, 1}, natural}, psi2);
   EXPECT_LT(deviation(u, value(), g, ring.outer_points), 1e-12);
@@ -71,8 +72,8 @@ TEST(Mixed, FourPartsOfFourKindsHoldOnTheirSides) {
   const Field slope = x * x - 1;
   const Structure u = mixed({{g, square.left, 1},
                              normal_derivative_part(psi1, square.right, slope, 2),
-                             robin_part(psi1, square.bottom, a, b, c, 2),
-                             oblique_part(psi1, square.top, {0.5, 1.0}, a, c)},
+                             robin_part(psi1, square.bottom, {a, b, c}, 2),
+                             oblique_part(psi1, square.top, {{0.5, 1.0}, a, c})},
                             psi2);
   EXPECT_LT(deviation(u, value(), g, square.left_points), 1e-11);
   EXPECT_LT(deviation(
@@ -92,23 +93,23 @@ TEST(Mixed, FourPartsOfFourKindsHoldOnTheirSides) {
             1e-10);
 }
 
-TEST(CorrectedValues, HoldWithoutQuotientsBetweenTheData) {
+TEST(Corrected, DerivativesHoldOnTopOfValues) {
   const Square square;
   const Field ends = square.left * square.right / 2;
   const Structure w = g + ends * psi1;
-  const auto excess = [&](const Field& omega, const Field& slope) {
-    return NaturalPart{D(omega, w, 2) + slope, omega};
-  };
-  const Structure u =
-      corrected_values(w, ends, {excess(square.bottom, c), excess(square.top, a)}, psi2);
-  EXPECT_LT(deviation(u, value(), g, square.left_points), 1e-12);
-  EXPECT_LT(deviation(u, value(), g, square.right_points), 1e-12);
-  EXPECT_LT(deviation(
-                u, [](const auto& v) { return -partial(v[0], 1); }, c, square.bottom_points),
-            1e-11);
-  EXPECT_LT(deviation(
-                u, [](const auto& v) { return partial(v[0], 1); }, a, square.top_points),
-            1e-11);
+  for (const bool near : {false, true}) {
+    const auto natural = [&](const Field& omega, const Field& slope) {
+      return NaturalPart{normal_derivative_excess(w, omega, slope, 2), omega,
+                         near ? cutoff(omega, 0.2) : 1.0};
+    };
+    const Structure u =
+        corrected(w, {natural(square.bottom, c), natural(square.top, a)}, psi2, ends);
+    const auto upward = [](const auto& v) { return partial(v[0], 1); };
+    EXPECT_LT(deviation(u, value(), g, square.left_points), 1e-12);
+    EXPECT_LT(deviation(u, value(), g, square.right_points), 1e-12);
+    EXPECT_LT(deviation(u, upward, -c, square.bottom_points), 1e-11);
+    EXPECT_LT(deviation(u, upward, a, square.top_points), 1e-11);
+  }
 }
 
 TEST(Mixed, RemainderMayBeGiven) {

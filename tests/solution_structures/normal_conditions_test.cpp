@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/function_shaping.hpp"
 #include "solution_structures/structure_text.hpp"
 #include "solution_structures/verification.hpp"
 #include "tests/solution_structures/boundary_points.hpp"
@@ -44,15 +45,27 @@ TEST(NormalConditions, NeumannHasItsSlopeOnBothCirclesForAnyUnknowns) {
             0.1);
 }
 
+TEST(NormalConditions, CorrectionsMayBeKeptNearTheBoundary) {
+  const Field slope = cos(3 * x) + y, a = 1 + x * x, near = cutoff(ring.outer, 0.1);
+  const Structure u = neumann(ring.outer, slope, 2, near);
+  EXPECT_LT(deviation(u, condition(ring.outer_normal), slope, ring.outer_points), 1e-12);
+  const Structure v = robin(ring.outer, {a, 1.0, slope}, 2, near);
+  EXPECT_LT(deviation(v, condition(ring.outer_normal, a), slope, ring.outer_points), 1e-12);
+  // Inside u is Ψ1.
+  for (const Structure::Term& term : u.terms())
+    EXPECT_NEAR(value_at(term.coefficient, {0.1, 0.2}),
+                term.unknown == 0 && degree(term.derivative) == 0, 1e-100);
+}
+
 TEST(NormalConditions, NeumannReadsAsInTheLiterature) {
   const StructureNames names{{"omega(ring)", whole}, {"slope", sin(x)}};
   EXPECT_EQ(to_text(neumann(whole, names[1].second, 2), names),
-            "psi1 - omega(ring)*D(omega(ring), psi1) - omega(ring)*slope + omega(ring)^2*psi2");
+            "psi1 - omega(ring)*(D(omega(ring), psi1) + slope) + omega(ring)^2*psi2");
 }
 
 TEST(NormalConditions, RobinHoldsWithCoefficientsThatVary) {
   const Field a = 1 + x * x, b = 2 + sin(y), c = x * y + 3;
-  const Structure u = robin(whole, a, b, c, 2);
+  const Structure u = robin(whole, {a, b, c}, 2);
   const auto times_b = [&](const std::vector<Field>& n) {
     return std::vector<Field>{b * n[0], b * n[1]};
   };
@@ -69,15 +82,15 @@ TEST(NormalConditions, ObliqueHoldsAlongADirectionThatTurns) {
   const Field a = 1 + y * y, c = sin(2 * x) - y;
   for (const auto& l : {turned, flux})
     for (const double length : {1.0, 0.1}) {
-      const Structure u = mixed({oblique_part(psi1, ring.outer, l, a, c, length)}, psi2);
+      const Structure u = mixed({oblique_part(psi1, ring.outer, {l, a, c, length})}, psi2);
       EXPECT_LT(deviation(u, condition(l, a), c, ring.outer_points), 1e-12);
     }
-  EXPECT_THROW(oblique_part(psi1, ring.outer, turned, a, c, 0), InvalidArgument);
+  EXPECT_THROW(oblique_part(psi1, ring.outer, {turned, a, c, 0}), InvalidArgument);
 }
 
 TEST(NormalConditions, ObliqueStaysBoundedWhereItsDirectionIsTangentialToOmega) {
   // l = (1, 0) is tangential to the level curves of the disk's function on x = 0.
-  const ConditionPart part = oblique_part(psi1, ring.outer, {1.0, 0.0}, 0.0, 1.0);
+  const ConditionPart part = oblique_part(psi1, ring.outer, {{1.0, 0.0}, 0.0, 1.0});
   for (const Structure::Term& term : part.polynomial.terms())
     for (double b = -0.9; b < 0.95; b += 0.1)
       EXPECT_LE(std::fabs(value_at(term.coefficient, {1e-3, b})), 1.0);

@@ -128,13 +128,13 @@ std::pair<StructureCondition, std::vector<Requirement>> random_condition(const P
       return {{SlopeCondition{data}, piece.omega},
               {{[n](const auto& u) { return across(n, u[0]); }, data}}};
     case 2:
-      return {{RobinCondition{a, b, data}, piece.omega},
+      return {{RobinData{a, b, data}, piece.omega},
               {{[n, a, b](const auto& u) { return a * u[0] + b * across(n, u[0]); }, data}}};
     case 3: {
       // Not tangential anywhere: at most 60° from the normal of the primitive.
       const double angle = random.number(-1, 1), c = std::cos(angle), s = std::sin(angle);
       const std::vector<Field> l{b * (c * n[0] - s * n[1]), b * (s * n[0] + c * n[1])};
-      return {{ObliqueCondition{l, a, data}, piece.omega},
+      return {{ObliqueData{l, a, data}, piece.omega},
               {{[l, a](const auto& u) { return a * u[0] + across(l, u[0]); }, data}}};
     }
     case 4:

@@ -22,7 +22,7 @@ std::string text(const std::vector<StructureCondition>& conditions,
 TEST(StructureDerivation, SingleConditionsGiveTheirStructures) {
   EXPECT_EQ(text({{ValueCondition{x}, ring.outer}}), "x + omega(outer)*psi1");
   EXPECT_EQ(text({{SlopeCondition{y}, ring.outer}}),
-            "psi1 - omega(outer)*D(omega(outer), psi1) - omega(outer)*y + omega(outer)^2*psi2");
+            "psi1 - omega(outer)*(D(omega(outer), psi1) + y) + omega(outer)^2*psi2");
   EXPECT_EQ(text({{ClampedCondition{0.0, 0.0}, ring.outer}}), "omega(outer)^2*psi1");
   EXPECT_EQ(text({}), "psi1");
 }
@@ -36,8 +36,8 @@ TEST(StructureDerivation, EqualValuesAreOnePart) {
 }
 
 TEST(StructureDerivation, NaturalPartsShareTheFunctionForTheValue) {
-  const Structure u = derived_structure(
-      {{SlopeCondition{y}, ring.outer}, {RobinCondition{1.0, 2.0, x}, ring.inner}});
+  const Structure u =
+      derived_structure({{SlopeCondition{y}, ring.outer}, {RobinData{1.0, 2.0, x}, ring.inner}});
   EXPECT_EQ(u.unknown_count(), 2);
   EXPECT_EQ(u.derivative_order(), 1);
   const Structure plate = derived_structure(
@@ -52,7 +52,7 @@ TEST(StructureDerivation, RemainderMayBeGiven) {
 
 TEST(StructureDerivation, ConditionsOfDifferentKindsHoldTogether) {
   const Field g = sin(x), c = cos(y), h = x * y;
-  const Structure u = derived_structure({{ObliqueCondition{{2 * x + y, y - x}, 1.0, c}, ring.outer},
+  const Structure u = derived_structure({{ObliqueData{{2 * x + y, y - x}, 1.0, c}, ring.outer},
                                          {ClampedCondition{g, h}, ring.inner}});
   const auto oblique = [&](const std::vector<Field>& v) {
     return v[0] + along({2 * x + y, y - x}, v[0]);
@@ -62,6 +62,23 @@ TEST(StructureDerivation, ConditionsOfDifferentKindsHoldTogether) {
   EXPECT_LT(largest_deviation({u}, oblique, c, ring.outer_points).largest, 1e-11);
   EXPECT_LT(largest_deviation({u}, slope, h, ring.inner_points).largest, 1e-10);
   EXPECT_LT(largest_deviation({u}, value, g, ring.inner_points).largest, 1e-12);
+}
+
+TEST(StructureDerivation, DerivativesMayBeCorrectionsNearTheBoundary) {
+  const Field g = sin(x), c = cos(y);
+  const std::vector<StructureCondition> conditions{{ValueCondition{g}, ring.outer},
+                                                   {RobinData{1.0, 2.0, c}, ring.inner}};
+  const Structure u = derived_structure(conditions, {.reach = 0.1});
+  const auto value = [](const std::vector<Field>& v) { return v[0]; };
+  const auto robin = [&](const std::vector<Field>& v) {
+    return v[0] + 2 * along(ring.inner_normal, v[0]);
+  };
+  EXPECT_LT(largest_deviation({u}, value, g, ring.outer_points).largest, 1e-13);
+  EXPECT_LT(largest_deviation({u}, robin, c, ring.inner_points).largest, 1e-11);
+  EXPECT_EQ(u.unknown_count(), 2);
+  EXPECT_EQ(text({{SlopeCondition{y}, ring.outer}}, {.reach = 0.5}),
+            "psi1 - exp(-(omega(outer)/0.5)^4)*omega(outer)*(D(omega(outer), psi1) + y) + "
+            "exp(-(omega(outer)/0.5)^4)*omega(outer)^2*psi2");
 }
 
 }  // namespace
