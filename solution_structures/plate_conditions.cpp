@@ -45,12 +45,16 @@ ConditionPart second_derivative_part(const Structure& value, const Field& omega,
   return {value - (0.5 * pow(omega, 2)) * excess, omega, 3};
 }
 
-ConditionPart simply_supported_part(const Field& omega, const Field& deflection,
-                                    const Field& moment, const Field& poisson_ratio, int dimension,
+ConditionPart simply_supported_part(const Field& omega, const SupportData& data, int dimension,
                                     const Structure& psi) {
-  const Structure value = deflection + omega * psi;
-  const Structure lack = normal_moment(value, omega, poisson_ratio, dimension) - moment;
-  return {value + (0.5 * pow(omega, 2)) * lack, omega, 3};
+  const Structure value = data.deflection + omega * psi;
+  const Structure lack = normal_moment(value, omega, data.poisson_ratio, dimension) - data.moment;
+  return {value + (data.cutoff * (0.5 * pow(omega, 2))) * lack, omega, 3};
+}
+
+Structure simply_supported(const Field& omega, const SupportData& data, int dimension) {
+  return mixed({simply_supported_part(omega, data, dimension)}, Structure::undetermined(1),
+               data.cutoff * pow(omega, 3));
 }
 
 }  // namespace rfm

@@ -32,10 +32,17 @@ Field normal_moment(const Field& w, const Field& omega, const Field& poisson_rat
 ConditionPart second_derivative_part(const Structure& value, const Field& omega,
                                      const Field& curvature, int dimension);
 /// w = deflection and moment M_n = moment (divided by the rigidity), on a curved edge too: with
-/// V = g + ω Ψ1, P = V + ½ ω² (M_n(V) − moment), exponent 3. Where moments are natural, as in the
-/// energy of a plate, the Dirichlet structure is enough.
-ConditionPart simply_supported_part(const Field& omega, const Field& deflection,
-                                    const Field& moment, const Field& poisson_ratio, int dimension,
+/// V = g + ω Ψ1, P = V + ½ χ ω² (M_n(V) − moment), exponent 3. The cutoff χ keeps the correction
+/// near the edge (as in `corrected`). Where moments are natural, as in the energy of a plate, the
+/// Dirichlet structure is enough.
+struct SupportData {
+  Field deflection, moment;
+  Field poisson_ratio = 0.3;
+  Field cutoff = 1.0;
+};
+ConditionPart simply_supported_part(const Field& omega, const SupportData& data, int dimension,
                                     const Structure& psi = Structure::undetermined(0));
+/// P + χ ω³ Ψ2, the whole edge supported.
+Structure simply_supported(const Field& omega, const SupportData& data, int dimension);
 
 }  // namespace rfm

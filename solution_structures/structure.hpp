@@ -63,6 +63,7 @@ class Structure {
   /// a name, is how `formula` itself is written.
   Structure written_as(const Field& formula, const Call& call = {}) const;
 
+  // Found where one operand is a structure only: `omega * 2.0` is a product of fields.
   friend Structure operator+(const Structure& a, const Structure& b);
   friend Structure operator-(const Structure& a, const Structure& b);
   friend Structure operator-(const Structure& a);
@@ -81,11 +82,6 @@ class Structure {
   std::vector<Call> calls_;
 };
 
-Structure operator+(const Structure& a, const Structure& b);
-Structure operator-(const Structure& a, const Structure& b);
-Structure operator-(const Structure& a);
-Structure operator*(const Field& factor, const Structure& structure);
-Structure operator/(const Structure& structure, const Field& divisor);
 /// ∂u/∂(axis) by the product rule.
 Structure partial(const Structure& structure, int axis);
 /// ∂^α u.

@@ -4,7 +4,6 @@
 
 #include "core/function_shaping.hpp"
 #include "solution_structures/condition_part.hpp"
-#include "solution_structures/plate_conditions.hpp"
 
 namespace rfm {
 namespace {
@@ -52,9 +51,8 @@ class Derivation {
     parts_.push_back(
         clamped_part(omega, condition.deflection, condition.rotation, options_.dimension));
   }
-  void add(const SupportedCondition& condition, const Field& omega) {
-    parts_.push_back(simply_supported_part(omega, condition.deflection, condition.moment,
-                                           condition.poisson_ratio, options_.dimension,
+  void add(const SupportData& data, const Field& omega) {
+    parts_.push_back(simply_supported_part(omega, data, options_.dimension,
                                            Structure::undetermined(unknowns_++)));
   }
 

@@ -6,6 +6,7 @@
 
 #include "core/field.hpp"
 #include "solution_structures/normal_conditions.hpp"
+#include "solution_structures/plate_conditions.hpp"
 #include "solution_structures/structure.hpp"
 
 namespace rfm {
@@ -16,7 +17,7 @@ namespace rfm {
 struct ValueCondition {
   Field value;
 };
-/// ∂u/∂n = slope; conditions with more coefficients are `RobinData` and `ObliqueData`.
+/// ∂u/∂n = slope; conditions with more data are `RobinData`, `ObliqueData`, `SupportData`.
 struct SlopeCondition {
   Field slope;
 };
@@ -24,18 +25,12 @@ struct SlopeCondition {
 struct ClampedCondition {
   Field deflection, rotation;
 };
-/// u = deflection, and the bending moment for unit rigidity.
-struct SupportedCondition {
-  Field deflection, moment;
-  Field poisson_ratio = 0.3;
-};
-
 /// A condition and the part of the boundary where it holds: `omega` is zero there, positive
 /// elsewhere, and normalised (`BoundaryPiece::from_inside`, levelled
 /// off at the size of the domain: function_shaping.hpp).
 struct StructureCondition {
   std::variant<ValueCondition, SlopeCondition, RobinData, ObliqueData, ClampedCondition,
-               SupportedCondition>
+               SupportData>
       condition;
   Field omega;
 };

@@ -14,11 +14,11 @@ std::vector<Structure> displacement(const Field& omega,
 }
 
 std::vector<Structure> normal_displacement(const Field& omega, const Field& value, int dimension,
-                                           int first_unknown) {
+                                           const Field& cutoff, int first_unknown) {
   const std::vector<Structure> psi = undetermined_vector(dimension, first_unknown);
-  const Structure chi = Structure::undetermined(first_unknown + dimension);
+  const Structure phi = Structure::undetermined(first_unknown + dimension);
   const std::vector<Field> normal = gradient(omega, dimension);
-  return psi - normal * (dot(normal, psi) + value) + normal * (omega * chi);
+  return psi - normal * (cutoff * (dot(normal, psi) + value)) + normal * ((cutoff * omega) * phi);
 }
 
 std::vector<Structure> symmetry(const Field& omega, int dimension, int first_unknown) {

@@ -18,9 +18,11 @@ std::vector<Structure> displacement(const Field& omega,
                                     int first_unknown = 0);
 
 /// u·n = value where ω = 0, on a wall of any shape, the tangential part being free (a roller):
-/// u = Ψ − ν (ν·Ψ + value) + ω ν χ. Uses as many functions as there are components, and χ.
+/// u = Ψ − χ ν (ν·Ψ + value) + χ ω ν Φ. Uses as many functions as there are components, and Φ. With
+/// a cutoff χ (as in `corrected`) Φ needs splines near the wall only; without, Φ and ν·Ψ describe
+/// the same thing, and systems are singular.
 std::vector<Structure> normal_displacement(const Field& omega, const Field& value, int dimension,
-                                           int first_unknown = 0);
+                                           const Field& cutoff = 1.0, int first_unknown = 0);
 
 /// A plane of symmetry, where ω is flat: no normal displacement and no normal derivative of the
 /// tangential one. With R = Ψ − ν (ν·Ψ), u = R − ω (D R − ν (ν·D R)) + ω ν χ + ω² Φ, which uses

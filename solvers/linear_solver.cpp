@@ -25,13 +25,22 @@ struct ScaledSystem {
   }
 };
 
+SparseMatrix shifted(SparseMatrix lower, double shift) {
+  for (Eigen::Index i = 0; i < lower.rows(); ++i) lower.coeffRef(i, i) += shift;
+  return lower;
+}
+
 Eigen::VectorXd solve_directly(const ScaledSystem& system, const LinearSolverOptions& options,
                                LinearSolution& report) {
   const Ordering ordering = options.dimension >= 3 ? Ordering::metis : Ordering::amd;
+  const auto factorized = [&](const SparseMatrix& lower) {
+    return system.elimination_order.empty()
+               ? SymmetricFactorization(lower, ordering)
+               : SymmetricFactorization(lower, system.elimination_order);
+  };
   const SymmetricFactorization factorization =
-      system.elimination_order.empty()
-          ? SymmetricFactorization(system.lower, ordering)
-          : SymmetricFactorization(system.lower, system.elimination_order);
+      options.regularization > 0 ? factorized(shifted(system.lower, options.regularization))
+                                 : factorized(system.lower);
   report.method = factorization.method() == SymmetricFactorization::Method::cholesky
                       ? LinearSolution::Method::cholesky
                       : LinearSolution::Method::ldlt;

@@ -71,7 +71,7 @@ TEST(SimplySupported, DeflectionAndMomentHoldOnCurvedEdges) {
        {std::tuple(ring.outer, ring.outer_normal, ring.outer_points),
         std::tuple(ring.inner, ring.inner_normal, ring.inner_points)}) {
     const Structure w =
-        mixed({simply_supported_part(omega, deflection, moment, poisson_ratio, 2, psi1)}, psi2);
+        mixed({simply_supported_part(omega, {deflection, moment, poisson_ratio}, 2, psi1)}, psi2);
     EXPECT_LT(deviation(w, value(), deflection, points), 1e-13);
     const auto moment_of = [&, n = normal](const std::vector<Field>& v) {
       const Field across = curvature(n, v[0]);
@@ -82,8 +82,7 @@ TEST(SimplySupported, DeflectionAndMomentHoldOnCurvedEdges) {
 }
 
 TEST(PlateConditions, OfDifferentKindsMayBeMixed) {
-  const ConditionPart supported =
-      simply_supported_part(ring.inner, deflection, moment, 0.3, 2, psi1);
+  const ConditionPart supported = simply_supported_part(ring.inner, {deflection, moment}, 2, psi1);
   const Structure w = mixed({clamped_part(ring.outer, deflection, rotation, 2), supported}, psi2);
   EXPECT_LT(deviation(w, value(), deflection, ring.inner_points), 1e-12);
   EXPECT_LT(deviation(w, slope(ring.outer_normal), rotation, ring.outer_points), 1e-10);

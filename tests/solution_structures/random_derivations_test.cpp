@@ -147,7 +147,7 @@ std::pair<StructureCondition, std::vector<Requirement>> random_condition(const P
                               n[1] * n[1] * partial(u[0], {0, 2});
         return -bending - 0.3 * (laplacian(u[0], 2) - bending);
       };
-      return {{SupportedCondition{data, other}, piece.omega}, {value, {moment, other}}};
+      return {{SupportData{data, other}, piece.omega}, {value, {moment, other}}};
     }
   }
 }

@@ -40,8 +40,8 @@ TEST(StructureDerivation, NaturalPartsShareTheFunctionForTheValue) {
       derived_structure({{SlopeCondition{y}, ring.outer}, {RobinData{1.0, 2.0, x}, ring.inner}});
   EXPECT_EQ(u.unknown_count(), 2);
   EXPECT_EQ(u.derivative_order(), 1);
-  const Structure plate = derived_structure(
-      {{SupportedCondition{y, 0.0}, ring.outer}, {SupportedCondition{x, 0.0}, ring.inner}});
+  const Structure plate =
+      derived_structure({{SupportData{y, 0.0}, ring.outer}, {SupportData{x, 0.0}, ring.inner}});
   EXPECT_EQ(plate.unknown_count(), 3) << "a slope for each edge";
 }
 

@@ -48,7 +48,8 @@ struct Approximation {
 inline Approximation best_approximation(const std::vector<Structure>& structure,
                                         const std::vector<Field>& f,
                                         const DiscretizedRegion& domain,
-                                        const std::vector<TensorProductSpace>& spaces, int order) {
+                                        const std::vector<TensorProductSpace>& spaces, int order,
+                                        const LinearSolverOptions& options = {}) {
   QuadraticEnergy distance;
   for (int c = 0; c < static_cast<int>(f.size()); ++c)
     for (const MultiIndex& alpha : derivatives_up_to(order)) {
@@ -57,7 +58,7 @@ inline Approximation best_approximation(const std::vector<Structure>& structure,
     }
   const std::vector<Contribution> contributions{{distance}};
   Approximation result;
-  result.linear = solve(assemble(structure, spaces, contributions, domain.rule()));
+  result.linear = solve(assemble(structure, spaces, contributions, domain.rule()), options);
   const std::vector<Field> u = solution_fields(structure, spaces, result.linear.coefficients);
   Field square = 0.0;
   for (std::size_t c = 0; c < f.size(); ++c)

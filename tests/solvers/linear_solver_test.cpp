@@ -227,5 +227,17 @@ TEST(LinearSystem, EnergyIsStationaryAtTheSolution) {
   EXPECT_NEAR(system.energy(beside) - system.energy(solution), 0.5 * 4 * 1e-6, 1e-14);
 }
 
+TEST(LinearSolver, RegularizationSolvesSingularSystemsThatAreCompatible) {
+  LinearSystem system = ring(50);
+  for (int i = 0; i < 50; ++i)
+    system.right_hand_side[i] = std::sin(2 * std::numbers::pi * 3 * i / 50);
+  EXPECT_THROW(solve(system), ComputationError) << "without it, this is a mistake";
+  const LinearSolution solution = solve(system, {.refinement_steps = 4, .regularization = 1e-12});
+  EXPECT_LT(solution.relative_residual, 1e-13);
+  // The smallest of all solutions, whose mean is zero: an eigenvector of 2 − 2 cos(2π 3/50).
+  const double eigenvalue = 2 - 2 * std::cos(2 * std::numbers::pi * 3 / 50);
+  EXPECT_LT((solution.coefficients - system.right_hand_side / eigenvalue).norm(), 1e-3);
+}
+
 }  // namespace
 }  // namespace rfm
