@@ -1,6 +1,7 @@
 #include "problems/boundary_conditions.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include "core/trim.hpp"
 #include "problems/boundary_coverage.hpp"
 #include "problems/result_scope.hpp"
+#include "problems/solution_symbols.hpp"
 #include "solution_structures/transfinite.hpp"
 #include "solvers/integrate.hpp"
 
@@ -20,7 +22,7 @@ namespace {
 std::vector<std::string> data_keys(Condition::Kind kind) {
   switch (kind) {
     case Condition::Kind::value:
-      return {"value"};
+      return {};  // by unknown
     case Condition::Kind::flux:
       return {"flux"};
     case Condition::Kind::convection:
@@ -55,6 +57,22 @@ std::vector<PieceClaim> settled(const PieceConditions& piece, int primitive,
     if (!claim.where) break;
   }
   return claims;
+}
+
+// A value condition, unknown by unknown.
+void add_values(const Condition& condition, const std::vector<std::string>& unknowns,
+                const ExpressionScope& scope, PieceCondition piece,
+                std::vector<PieceCondition>& result) {
+  for (std::size_t c = 0; c < unknowns.size(); ++c) {
+    const auto value = condition.data.find(unknowns[c]);
+    const bool is_free = value == condition.data.end() && !condition.clamped;
+    piece.component = static_cast<int>(c);
+    if (unknowns.size() > 1) piece.unknown = unknowns[c];
+    piece.kind = is_free ? Condition::Kind::flux : Condition::Kind::value;
+    piece.clamped = condition.clamped;
+    piece.data = {is_free || condition.clamped ? Field(0.0) : value->second.field(scope)};
+    result.push_back(piece);
+  }
 }
 
 // The pieces that the structure prescribes, as a set of primitives.
@@ -187,6 +205,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
   for (std::size_t i = 0; i < assigned.size(); ++i) {
     ExpressionScope scope = problem.scope;
     define_normal(scope, outward_normal(bounding_primitives[i], region));
+    ExpressionScope natural_scope = scope;
+    define_symbols(natural_scope, problem.physics.unknowns, problem.dimension);
     std::vector<Field> earlier;
     for (const PieceClaim& claim : settled(assigned[i], bounding_primitives[i], rule)) {
       const Condition& condition = problem.conditions[claim.condition];
@@ -199,8 +219,11 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
       piece.where = exclusive(claim.where, earlier);
       if (claim.where) earlier.push_back(*claim.where);
       for (const std::string& key : data_keys(condition.kind))
-        piece.data.push_back(condition.data.at(key).field(scope));
-      result.push_back(std::move(piece));
+        piece.data.push_back(condition.data.at(key).field(natural_scope));
+      if (condition.kind == Condition::Kind::value)
+        add_values(condition, problem.physics.unknowns, scope, piece, result);
+      else
+        result.push_back(std::move(piece));
     }
   }
   return result;
@@ -257,6 +280,16 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     plan.uses_regular_form = true;
   } else {
     plan.weight = vanishing_on(plan.by_structure, region, bounds, bounding, options);
+  }
+  // Where slopes vanish, too, omega does so to the second order.
+  std::vector<PieceCondition> clamped;
+  std::ranges::copy_if(plan.by_structure, std::back_inserter(clamped), &PieceCondition::clamped);
+  if (!clamped.empty()) {
+    const Weight factor = clamped.size() == plan.by_structure.size()
+                              ? plan.weight
+                              : vanishing_on(clamped, region, bounds, bounding, options);
+    plan.weight.function = plan.weight.function * factor.function;
+    plan.weight.formula = "(" + plan.weight.formula + ") * (" + factor.formula + ")";
   }
   // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
   std::vector<std::vector<PieceCondition>> groups;

@@ -14,21 +14,24 @@ namespace rfm {
 /// with its data as fields.
 struct PieceCondition {
   int primitive = 0;
-  std::string name;  ///< of the piece
+  std::string name;     ///< of the piece
+  int component = 0;    ///< the unknown, by its number
+  std::string unknown;  ///< its name where there are several, for messages
   Condition::Kind kind = Condition::Kind::value;
   Condition::Enforcement enforcement = Condition::Enforcement::automatic;
   std::optional<Field> where;
+  bool clamped = false;  ///< a value of 0 whose normal derivative vanishes, too
   /// Value; flux; coefficient h and ambient; a, b, c: in the order of the contract.
   std::vector<Field> data;
   /// Position in the problem's list; conditions of one entry share their data as written.
   int condition = 0;
 };
 
-/// The conditions of a problem, piece by piece, for the primitives that bound the domain. Where
-/// several claim parts of a piece, their `where` exclude each other by priority. Parts chosen by
-/// geometry turn out to be nothing or all of a piece by their measure in `rule`, which is split
-/// where they end. Throws `ProblemFileErrors` for pieces without a condition and conditions without
-/// a piece.
+/// The conditions of a problem, piece by piece and unknown by unknown, for the primitives that
+/// bound the domain; an unknown that a condition leaves free has zero flux there. Where several
+/// claim parts of a piece, their `where` exclude each other by priority. Parts chosen by geometry
+/// turn out to be nothing or all of a piece by their measure in `rule`, which is split where they
+/// end. Throws `ProblemFileErrors` for pieces without a condition and conditions without a piece.
 std::vector<PieceCondition> piece_conditions(const Problem& problem, const RegionEvaluator& region,
                                              const std::vector<int>& bounding_primitives,
                                              const DomainRule& rule);
@@ -52,12 +55,12 @@ struct DirichletPlan {
   bool uses_regular_form = false;
 };
 
-/// Divides the value conditions. By structure: whole pieces whose conjunct of the domain's
-/// expression is prescribed on all its pieces; weakly: parts of pieces (the structure loses order
-/// at their ends: u/ω is singular there), pieces of a conjunct prescribed in part, data that are
-/// undefined somewhere in the domain, and what the file asks for. `enforce: structure` forces the
-/// rest, by trimmed functions. Where the whole boundary is prescribed by structure, ω is that of
-/// `regular_form` if there is one (core/regular_form.hpp).
+/// Divides the value conditions of one unknown, whose conditions are given. By structure: whole
+/// pieces whose conjunct of the domain's expression is prescribed on all its pieces; weakly: parts
+/// of pieces (the structure loses order at their ends: u/ω is singular there), pieces of a conjunct
+/// prescribed in part, data that are undefined somewhere in the domain, and what the file asks for.
+/// `enforce: structure` forces the rest, by trimmed functions. Where the whole boundary is
+/// prescribed by structure, ω is that of `regular_form` if there is one (core/regular_form.hpp).
 DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
                              const RegionEvaluator& region, const Box& bounds,
                              const WeightOptions& options, const std::vector<bool>& data_is_regular,

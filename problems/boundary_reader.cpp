@@ -7,6 +7,7 @@
 #include "problems/region_choice.hpp"
 #include "problems/reserved_names.hpp"
 #include "problems/result_scope.hpp"
+#include "problems/solution_symbols.hpp"
 
 namespace rfm {
 namespace {
@@ -168,6 +169,8 @@ void BoundaryReader::read_condition(const DocumentNode& node) {
         enforce->text == "weak" ? Condition::Enforcement::weak : Condition::Enforcement::structure;
   ExpressionScope scope = values_.scope;
   define_normal(scope, stand_in_normal(values_.dimension));
+  if (!values_.find(node, "value"))
+    define_symbols(scope, problem_.physics.unknowns, values_.dimension);
   read_data(node, scope, condition);
   problem_.conditions.push_back(std::move(condition));
 }
@@ -180,9 +183,28 @@ void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& 
     if (auto expression = values_.deferred(*value, scope))
       condition.data.emplace(key, std::move(*expression));
   };
-  if (values_.find(node, "value")) {
+  if (const DocumentNode* value = values_.find(node, "value")) {
     condition.kind = Condition::Kind::value;
-    add(node, "value");
+    read_values(*value, scope, condition);
+  } else if (const DocumentNode* free = values_.find(node, "free")) {
+    condition.kind = Condition::Kind::value;  // of no unknown
+    if (free->text != "true")
+      values_.mistakes.add("expected free: true; what is prescribed takes the place of false",
+                           free->place);
+  } else if (const DocumentNode* clamped = values_.find(node, "clamped")) {
+    condition.kind = Condition::Kind::value;
+    condition.clamped = true;
+    if (clamped->text != "true") values_.mistakes.add("expected clamped: true", clamped->place);
+    if (!values_.results.flux.empty())
+      values_.mistakes.add(
+          "clamped is for equations of the fourth order: a value and a flux at one "
+          "place are too much here",
+          clamped->place);
+  } else if (values_.results.flux.empty()) {
+    values_.mistakes.add(
+        "custom physics have no flux of their own: write free: true here, and the integral of what "
+        "is given under physics.boundary",
+        node.place);
   } else if (values_.find(node, "flux")) {
     condition.kind = Condition::Kind::flux;
     add(node, "flux");
@@ -192,6 +214,31 @@ void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& 
   } else if (const DocumentNode* robin = values_.find(node, "robin")) {
     condition.kind = Condition::Kind::robin;
     for (const char* key : {"a", "b", "c"}) add(*robin, key);
+  }
+}
+
+// One formula, or one for each unknown that is not free.
+void BoundaryReader::read_values(const DocumentNode& node, const ExpressionScope& scope,
+                                 Condition& condition) {
+  const std::vector<std::string>& unknowns = problem_.physics.unknowns;
+  const auto add = [&](const std::string& unknown, const DocumentNode& value) {
+    if (auto expression = values_.deferred(value, scope))
+      condition.data.emplace(unknown, std::move(*expression));
+  };
+  if (!node.is_map()) {
+    if (unknowns.size() == 1) return add(unknowns[0], node);
+    return values_.mistakes.add("there are several unknowns: expected {" + unknowns[0] + ": .., " +
+                                    unknowns[1] + ": ..}; those left out are free",
+                                node.place);
+  }
+  for (const DocumentNode::Entry& entry : node.entries) {
+    if (std::ranges::find(unknowns, entry.key) == unknowns.end())
+      values_.mistakes.add("unknown result '" + entry.key + "' in value" +
+                               did_you_mean(entry.key, unknowns) +
+                               "; expected: " + joined(unknowns),
+                           entry.key_place);
+    else if (values_.fits(entry.value))
+      add(entry.key, entry.value);
   }
 }
 

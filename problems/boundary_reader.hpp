@@ -23,12 +23,15 @@ class BoundaryReader {
   /// text of it names.
   void report_unused();
 
+  /// The parts that a name, or a list of names, stands for; what stands for none is a mistake.
+  std::vector<BoundaryTarget> targets(const DocumentNode& node);
+
  private:
   std::vector<std::string> pieces_of(const std::string& name);
-  std::vector<BoundaryTarget> targets(const DocumentNode& node);
   void read_region(const DocumentNode::Entry& entry);
   void read_parts(const DocumentNode& of, const DocumentNode& map, BoundaryTarget& region);
   void read_condition(const DocumentNode& node);
+  void read_values(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
   void read_data(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
 
   const DocumentNode& root_;

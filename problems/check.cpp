@@ -119,26 +119,29 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   log_accuracy(rule, log);
   log_corners(scalar, log);
   for (const PieceCondition& condition : scalar.conditions())
-    log.line("  {}: {}{}, measure {:.12g}", condition.name, kind_name(condition.kind),
+    log.line("  {}: {}{}{}, measure {:.12g}", condition.name,
+             condition.unknown.empty() ? "" : condition.unknown + " ", kind_name(condition.kind),
              condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));
   std::string qualities;
   for (const auto& [name, deviation] : distance_quality(scalar, rule))
     qualities += fmt::format("{}{} {:.1e}", qualities.empty() ? "" : ", ", name, deviation);
   log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}", qualities);
-  if (!scalar.dirichlet().by_structure.empty()) {
-    log.line("structure: u = g + omega psi, omega = {}", scalar.dirichlet().weight.formula);
-    for (const WeightPart& part : scalar.dirichlet().weight.parts)
-      log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
+  for (std::size_t c = 0; c < scalar.dirichlet().size(); ++c) {
+    const DirichletPlan& plan = scalar.dirichlet()[c];
+    if (!plan.by_structure.empty()) {
+      log.line("structure: {} = g + omega psi, omega = {}", problem.physics.unknowns[c],
+               plan.weight.formula);
+      for (const WeightPart& part : plan.weight.parts)
+        log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
+    }
+    for (const std::string& remark : plan.remarks) log.line("note: {}", remark);
   }
-  for (const std::string& remark : scalar.dirichlet().remarks) log.line("note: {}", remark);
   for (const Irregularity& irregularity : scalar.irregularities())
     log.line("note: {}", describe(irregularity, scalar.region()));
   for (const RelationAnswer& answer : relations)
     log.line("{}", relation_text(answer, problem.dimension));
-  const TensorProductSpace space(grid, problem.discretization.degree,
-                                 cells_in_region(rule, problem.discretization.degree));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
-           rule.report().cut_cells, space.size());
+           rule.report().cut_cells, coefficient_count(scalar.spaces(rule)));
   if (options.picture) write_picture(file, options.output, scalar, rule, log);
   return 0;
 }

@@ -85,10 +85,9 @@ class DefinitionReader::Definitions {
   void check() {
     ExpressionScope permissive = values_.scope;
     const std::vector<Field> normal = stand_in_normal(values_.dimension);
-    const ScalarResults results = stand_in_results(values_.dimension);
-    define_results(permissive, results);
+    define_results(permissive, values_.results);
     define_normal(permissive, normal);
-    define_boundary_results(permissive, results, normal);
+    define_boundary_results(permissive, values_.results, normal);
     for (const Definition* definition : order_) {
       if (definition->kind == Definition::Kind::parameter || !is_sound(*definition)) continue;
       if (evaluates(*definition, permissive)) continue;

@@ -4,6 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include "problems/custom_physics.hpp"
+#include "problems/solution_symbols.hpp"
+
 namespace rfm {
 namespace {
 
@@ -13,11 +16,19 @@ constexpr std::array<std::string_view, 6> coefficient_keys = {
 class PhysicsReader {
  public:
   PhysicsReader(ValueReader& values, ShapeReader& shapes, Physics& physics)
-      : values_(values), shapes_(shapes), physics_(physics) {}
+      : values_(values), shapes_(shapes), physics_(physics), scope_(values.scope) {
+    define_symbols(scope_, physics.unknowns, values.dimension);
+  }
 
   void read(const DocumentNode& map) {
     const DocumentNode* type = values_.find(map, "type");
+    if (type && type->text == "custom") {
+      physics_.type = PhysicsType::custom;
+      physics_.custom = read_custom(map, values_, physics_.unknowns);
+      return;
+    }
     physics_.type = type && type->text == "heat" ? PhysicsType::heat : PhysicsType::poisson;
+    if (const DocumentNode* advection = values_.find(map, "advection")) read_advection(*advection);
     read_coefficients(map, physics_.coefficients);
     const DocumentNode* materials = values_.find(map, "materials");
     if (!materials) return;
@@ -27,6 +38,21 @@ class PhysicsReader {
   }
 
  private:
+  std::optional<Field> field(const DocumentNode& node) {
+    if (!values_.fits(node) || !node.is_scalar()) return std::nullopt;
+    return values_.guarded<Field>(node, [&] { return to_field(Expression(node.text), scope_); });
+  }
+
+  void read_advection(const DocumentNode& node) {
+    if (static_cast<int>(node.items.size()) != values_.dimension)
+      return values_.mistakes.add(
+          "expected a vector of " + std::to_string(values_.dimension) + " components", node.place);
+    for (const DocumentNode& item : node.items)
+      physics_.advection.push_back(field(item).value_or(0.0));
+    if (std::ranges::all_of(physics_.advection, [](const Field& f) { return f.is_constant(0); }))
+      physics_.advection.clear();
+  }
+
   void read_coefficients(const DocumentNode& map,
                          std::map<std::string, PhysicalCoefficient>& coefficients) {
     for (const std::string_view key : coefficient_keys)
@@ -39,9 +65,9 @@ class PhysicsReader {
     PhysicalCoefficient coefficient;
     coefficient.place = node.place;
     if (node.is_list()) return read_matrix(node, std::move(coefficient));
-    const std::optional<Field> field = values_.field(node);
-    if (!field) return std::nullopt;
-    coefficient.entries = {*field};
+    const std::optional<Field> single = field(node);
+    if (!single) return std::nullopt;
+    coefficient.entries = {*single};
     return coefficient;
   }
 
@@ -63,8 +89,8 @@ class PhysicsReader {
     coefficient.is_matrix = true;
     for (const DocumentNode& row : node.items)
       for (const DocumentNode& entry : row.items) {
-        const auto field = values_.guarded<Field>(
-            entry, [&] { return to_field(Expression(entry.text), values_.scope); });
+        const auto field =
+            values_.guarded<Field>(entry, [&] { return to_field(Expression(entry.text), scope_); });
         coefficient.entries.push_back(field.value_or(1.0));
       }
     return check_symmetry(node, coefficient) ? std::optional(std::move(coefficient)) : std::nullopt;
@@ -126,6 +152,7 @@ class PhysicsReader {
   ValueReader& values_;
   ShapeReader& shapes_;
   Physics& physics_;
+  ExpressionScope scope_;  // with the solution as a symbol
 };
 
 }  // namespace

@@ -21,8 +21,7 @@ class ProbeEvaluator {
  public:
   ProbeEvaluator(const ScalarProblem& problem, const ScalarSolution& solution)
       : problem_(problem), solution_(solution), scope_(problem.problem().scope) {
-    results_ = {solution.u, solution.flux, problem.problem().dimension};
-    define_results(scope_, results_);
+    define_results(scope_, solution.results);
   }
 
   ProbeResult evaluate(const Probe& probe) const {
@@ -117,7 +116,7 @@ class ProbeEvaluator {
       const std::vector<Field> normal = outward_normal(number, problem_.region());
       ExpressionScope scope = scope_;
       define_normal(scope, normal);
-      define_boundary_results(scope, results_, normal);
+      define_boundary_results(scope, solution_.results, normal);
       visit(number, scope);
     }
   }
@@ -201,7 +200,6 @@ class ProbeEvaluator {
 
   const ScalarProblem& problem_;
   const ScalarSolution& solution_;
-  ScalarResults results_;
   ExpressionScope scope_;
 };
 

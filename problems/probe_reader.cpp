@@ -15,13 +15,12 @@ class ProbeReader {
               const std::map<std::string, ThinSet>& sets)
       : values_(values), shapes_(shapes), boundary_(boundary), sets_(sets) {
     const int dimension = values.dimension;
-    const ScalarResults results = stand_in_results(dimension);
     inside_ = values.scope;
-    define_results(inside_, results);
+    define_results(inside_, values.results);
     refuse_normal(inside_, dimension, "is known on a boundary only");
     on_boundary_ = inside_;
     define_normal(on_boundary_, stand_in_normal(dimension));
-    define_boundary_results(on_boundary_, results, stand_in_normal(dimension));
+    define_boundary_results(on_boundary_, values.results, stand_in_normal(dimension));
   }
 
   Probe read(const DocumentNode::Entry& entry) {

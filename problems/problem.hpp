@@ -52,15 +52,7 @@ struct Material {
   Place place;
 };
 
-enum class PhysicsType { poisson, heat };
-
-struct Physics {
-  PhysicsType type = PhysicsType::poisson;
-  /// By key: diffusivity, reaction, source; conductivity, density, heat_capacity, source. Those
-  /// that neither the file nor a default gives (conductivity beside materials) are absent.
-  std::map<std::string, PhysicalCoefficient> coefficients;
-  std::vector<Material> materials;
-};
+enum class PhysicsType { poisson, heat, custom };
 
 /// A part of the boundary, as names: some pieces (primitives), or parts of pieces.
 struct BoundaryTarget {
@@ -84,21 +76,56 @@ struct BoundaryTarget {
   std::optional<Field> where_on(const std::string& piece) const;
 };
 
+/// An equation of one's own: formulas of the unknowns as symbols (problems/solution_symbols.hpp).
+struct CustomPhysics {
+  enum class Kind { energy, weak, residuals };
+  Kind kind = Kind::energy;
+  /// One energy or weak form, or the residuals.
+  std::vector<Field> formulas;
+  /// An integral over a part of the boundary; it may use the normal.
+  struct BoundaryForm {
+    std::vector<BoundaryTarget> targets;
+    Kind kind = Kind::energy;
+    std::optional<DeferredExpression> formula;
+    Place place;
+  };
+  std::vector<BoundaryForm> boundary;
+  Place place;
+};
+
+struct Physics {
+  PhysicsType type = PhysicsType::poisson;
+  /// What is solved for: the components of the solution, by name.
+  std::vector<std::string> unknowns = {"u"};
+  /// By key: diffusivity, reaction, source; conductivity, density, heat_capacity, source. They may
+  /// contain the solution, as a symbol (problems/solution_symbols.hpp). Those
+  /// that neither the file nor a default gives (conductivity beside materials) are absent.
+  std::map<std::string, PhysicalCoefficient> coefficients;
+  std::vector<Material> materials;
+  /// a in −∇·(K∇u) + a·∇u + …; empty for none. Of `poisson`.
+  std::vector<Field> advection;
+  std::optional<CustomPhysics> custom;
+};
+
 struct Condition {
   enum class Kind { value, flux, convection, robin };
   enum class Enforcement { automatic, structure, weak };
   std::vector<BoundaryTarget> targets;
   Kind kind = Kind::value;
-  /// By key: `value`; `flux`; `coefficient`, `ambient`; `a`, `b`, `c`. They may use `n.x`, …: see
-  /// `normal_scope`.
+  /// By key: `flux`; `coefficient`, `ambient`; `a`, `b`, `c`; of `value`, by unknown: unknowns that
+  /// are left out are free. They may use `n.x`, …: see `normal_scope`.
   std::map<std::string, DeferredExpression> data;
   Enforcement enforcement = Enforcement::automatic;
+  /// Values and normal derivatives of all unknowns vanish: kind `value`, without data.
+  bool clamped = false;
   int priority = 0;
   Place place;
 };
 
 struct Discretization {
   int degree = 3;
+  /// Degrees of unknowns that differ from it, by name.
+  std::map<std::string, int> degrees;
   /// One number (along the longest side) or one per dimension; empty where `cell_size` is given.
   std::vector<int> cells;
   std::optional<double> cell_size;
@@ -107,9 +134,12 @@ struct Discretization {
   std::optional<int> quadrature_order;
   /// Points and segments towards which the integration is refined.
   std::vector<Grading> gradings;
-  enum class Method { ritz } method = Method::ritz;
+  /// Ritz's method is Galerkin's where the equation follows from no energy.
+  enum class Method { ritz, galerkin, least_squares, collocation } method = Method::ritz;
   enum class LinearSolver { automatic, direct } linear_solver = LinearSolver::automatic;
   double tolerance = 1e-12;
+  /// Steps in which Newton's method brings the residual down (solvers/newton.hpp).
+  int load_steps = 1;
   std::optional<int> threads;
 };
 

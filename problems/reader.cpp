@@ -6,6 +6,7 @@
 #include "problems/boundary_coverage.hpp"
 #include "problems/boundary_reader.hpp"
 #include "problems/combine_reader.hpp"
+#include "problems/custom_physics.hpp"
 #include "problems/definition_reader.hpp"
 #include "problems/geometric_relations.hpp"
 #include "problems/overrides.hpp"
@@ -28,12 +29,13 @@ void define_common_names(ValueReader& values, const std::string& folder) {
   values.scope.define_function("table", table);
   values.number_scope.define_function("table", table);
   refuse_normal(values.scope, dimension, "is known on a boundary only");
-  refuse_results(values.scope, dimension,
-                 "is a result: formulas that depend on the solution are not supported yet");
+  refuse_results(
+      values.scope, values.results,
+      "is a result: only coefficients of the equation and natural conditions may contain it");
   for (const char* name : {"x", "y", "z", "t"})
     values.number_scope.refuse(name, "is a coordinate: a number is needed here");
   refuse_normal(values.number_scope, dimension, "is a normal: a number is needed here");
-  refuse_results(values.number_scope, dimension, "is a result: a number is needed here");
+  refuse_results(values.number_scope, values.results, "is a result: a number is needed here");
 }
 
 void read_geometry(const DocumentNode& root, ValueReader& values, ShapeReader& shapes,
@@ -53,6 +55,11 @@ void read_contents(ValueReader& values, Problem& problem) {
   const DocumentNode& root = problem.document;
   if (const DocumentNode* version = values.find(root, "rfm")) values.integer(*version);
   if (const DocumentNode* title = values.find(root, "title")) problem.title = title->text;
+  problem.physics.unknowns = unknown_names(root, values);
+  const DocumentNode* physics = values.find(root, "physics");
+  const DocumentNode* type = physics ? values.find(*physics, "type") : nullptr;
+  const bool has_flux = !type || type->text != "custom";
+  values.results = stand_in_results(problem.physics.unknowns, has_flux, problem.dimension);
   define_common_names(values, std::filesystem::path(problem.file).parent_path().string());
   DefinitionReader definitions(root, values, problem);
   definitions.read();
@@ -67,7 +74,8 @@ void read_contents(ValueReader& values, Problem& problem) {
   BoundaryReader boundary(root, values, shapes, problem);
   boundary.read_regions();
   boundary.read_conditions();
-  problem.discretization = read_discretization(root, values);
+  read_custom_boundary(root, values, boundary, problem);
+  problem.discretization = read_discretization(root, values, problem.physics.unknowns);
   read_probes(root, values, shapes, boundary, problem);
   read_verification(root, values, problem);
   read_outputs(root, values, problem);

@@ -14,8 +14,9 @@ std::vector<NamedField> output_fields(const ScalarProblem& problem,
                                       const ScalarSolution& solution) {
   const Problem& file = problem.problem();
   ExpressionScope scope = file.scope;
-  define_results(scope, {solution.u, solution.flux, file.dimension});
-  std::vector<std::string> names{"u", "gradient"};
+  define_results(scope, solution.results);
+  std::vector<std::string> names = file.physics.unknowns;
+  if (names.size() == 1) names.emplace_back("gradient");
   for (const std::string& name : file.outputs.fields)
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   std::vector<NamedField> fields;
@@ -37,22 +38,27 @@ FieldMesh boundary_mesh(const BoundarySurface& surface, std::vector<NamedField> 
   for (std::size_t i = 0; i < inside.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
       inside[i][axis] -= 1e-6 * bounds.longest_side() * surface.normals[i][axis];
-  fields.push_back({"flux.n", flux});
+  const bool has_flux = !flux.empty();
+  if (has_flux) fields.push_back({"flux.n", flux});
   mesh.data = sample_at(surface.points, inside, fields, bounds.dimension);
 
-  FieldMesh::PointData flux_vector = std::move(mesh.data.back());
+  FieldMesh::PointData flux_vector;
+  if (has_flux) {
+    flux_vector = std::move(mesh.data.back());
+    mesh.data.pop_back();
+  }
   FieldMesh::PointData normal_flux{"flux.n", 1, {}}, normal{"normal", 3, {}}, piece{"piece", 1, {}};
-  mesh.data.pop_back();
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       normal.values.push_back(surface.normals[i][axis]);
-      sum += surface.normals[i][axis] * flux_vector.values[3 * i + axis];
+      if (has_flux) sum += surface.normals[i][axis] * flux_vector.values[3 * i + axis];
     }
     normal_flux.values.push_back(sum);
     piece.values.push_back(surface.primitives[i]);
   }
-  for (auto* data : {&normal_flux, &normal, &piece}) mesh.data.push_back(std::move(*data));
+  if (has_flux) mesh.data.push_back(std::move(normal_flux));
+  for (auto* data : {&normal, &piece}) mesh.data.push_back(std::move(*data));
   return mesh;
 }
 
@@ -71,7 +77,7 @@ ResultMeshes result_meshes(const ScalarProblem& problem, const Grid& grid,
   ResultMeshes meshes{sample(tessellation, fields, grid.dimension()), {}};
   if (grid.dimension() > 1)
     meshes.boundary = boundary_mesh(boundary_surface(problem.region(), tessellation), fields,
-                                    solution.flux, problem.bounds());
+                                    solution.results.flux, problem.bounds());
   return meshes;
 }
 

@@ -70,16 +70,20 @@ void define_normal(ExpressionScope& scope, const std::vector<Field>& normal) {
 }
 
 void define_results(ExpressionScope& scope, const ScalarResults& results) {
-  scope.define("u", results.unknown);
-  define_vector(scope, "gradient", gradient(results.unknown, results.dimension));
-  define_vector(scope, "flux", results.flux);
   std::vector<Field> all = results.flux;
-  all.push_back(results.unknown);
+  for (const auto& [name, field] : results.unknowns) {
+    scope.define(name, field);
+    all.push_back(field);
+  }
+  if (results.unknowns.size() == 1)
+    define_vector(scope, "gradient", gradient(results.unknowns[0].field, results.dimension));
+  if (!results.flux.empty()) define_vector(scope, "flux", results.flux);
   refuse_sensitivities(scope, std::move(all));
 }
 
 void define_boundary_results(ExpressionScope& scope, const ScalarResults& results,
                              const std::vector<Field>& normal) {
+  if (results.flux.empty()) return;
   Field outward = 0.0;
   for (std::size_t axis = 0; axis < normal.size(); ++axis)
     outward = outward + results.flux[axis] * normal[axis];
@@ -94,26 +98,37 @@ void refuse_normal(ExpressionScope& scope, int dimension, const std::string& rea
                  "does not exist in dimension " + std::to_string(dimension));
 }
 
-void refuse_results(ExpressionScope& scope, int dimension, const std::string& reason) {
-  scope.refuse("u", reason);
+void refuse_results(ExpressionScope& scope, const ScalarResults& results,
+                    const std::string& reason) {
+  for (const auto& [name, field] : results.unknowns) scope.refuse(name, reason);
   refuse_vector(scope, "gradient", reason);
   refuse_vector(scope, "flux", reason);
   scope.refuse("flux.n", reason);
-  for (int axis = dimension; axis < 3; ++axis)
+  for (int axis = results.dimension; axis < 3; ++axis)
     for (const std::string name : {"gradient", "flux"})
       scope.refuse(component_name(name, static_cast<std::size_t>(axis)),
-                   "does not exist in dimension " + std::to_string(dimension));
+                   "does not exist in dimension " + std::to_string(results.dimension));
 }
 
-ScalarResults stand_in_results(int dimension) {
+ScalarResults stand_in_results(const std::vector<std::string>& unknowns, bool has_flux,
+                               int dimension) {
   const Field any = sin(x_coordinate());
-  return {any, std::vector<Field>(static_cast<std::size_t>(dimension), any), dimension};
+  ScalarResults results{{}, {}, dimension};
+  for (const std::string& name : unknowns) results.unknowns.push_back({name, any});
+  if (has_flux) results.flux.assign(static_cast<std::size_t>(dimension), any);
+  return results;
 }
 
 std::vector<Field> stand_in_normal(int dimension) {
   return std::vector<Field>(static_cast<std::size_t>(dimension), x_coordinate());
 }
 
-std::vector<std::string> scalar_output_names() { return {"u", "gradient", "flux"}; }
+std::vector<std::string> output_names(const ScalarResults& results) {
+  std::vector<std::string> names;
+  for (const auto& [name, field] : results.unknowns) names.push_back(name);
+  if (results.unknowns.size() == 1) names.emplace_back("gradient");
+  if (!results.flux.empty()) names.emplace_back("flux");
+  return names;
+}
 
 }  // namespace rfm

@@ -8,33 +8,41 @@
 
 namespace rfm {
 
-/// The results of a scalar problem as formulas name them.
+/// The results of a problem as formulas name them.
 struct ScalarResults {
-  Field unknown;            ///< u
-  std::vector<Field> flux;  ///< +k grad(u): `flux`, `flux.x`, …
+  struct Unknown {
+    std::string name;
+    Field field;
+  };
+  std::vector<Unknown> unknowns;
+  /// +k grad(u): `flux`, `flux.x`, …; empty for equations that have none.
+  std::vector<Field> flux;
   int dimension = 2;
 };
 
 /// Adds `n`, `n.x`, `n.y`, `n.z`: the outward unit normal of a boundary, one field per dimension.
 void define_normal(ExpressionScope& scope, const std::vector<Field>& normal);
-/// Adds `u`, `gradient`, `gradient.x`, …, `flux`, `flux.x`, …; derivatives of them are `grad(u)`,
-/// `dx(u)`, …. What depends on the solution has no derivative d(f, k) by a parameter here: the
-/// solution depends on k too, in a way that only solving with another k shows.
+/// Adds the unknowns, `gradient`, `gradient.x`, … of a single one, `flux`, `flux.x`, … where there
+/// is one; derivatives of them are `grad(u)`, `dx(u)`, …. What depends on the solution has no
+/// derivative d(f, k) by a parameter here: the solution depends on k too, in a way that only
+/// solving with another k shows.
 void define_results(ExpressionScope& scope, const ScalarResults& results);
-/// Adds `flux.n`, the flux along the outward normal.
+/// Adds `flux.n`, the flux along the outward normal, where there is a flux.
 void define_boundary_results(ExpressionScope& scope, const ScalarResults& results,
                              const std::vector<Field>& normal);
 
 /// Refuses the names of normals and of results, each with the reason.
 void refuse_normal(ExpressionScope& scope, int dimension, const std::string& reason);
-void refuse_results(ExpressionScope& scope, int dimension, const std::string& reason);
+void refuse_results(ExpressionScope& scope, const ScalarResults& results,
+                    const std::string& reason);
 
 /// Stand-ins for checking a formula before there is a solution: they have the right number of
 /// components, and any derivative of them exists.
-ScalarResults stand_in_results(int dimension);
+ScalarResults stand_in_results(const std::vector<std::string>& unknowns, bool has_flux,
+                               int dimension);
 std::vector<Field> stand_in_normal(int dimension);
 
-/// The results of a scalar problem that may be written to files: u, gradient, flux.
-std::vector<std::string> scalar_output_names();
+/// The results that may be written to files: the unknowns, gradient, flux.
+std::vector<std::string> output_names(const ScalarResults& results);
 
 }  // namespace rfm

@@ -1,5 +1,6 @@
 #include "problems/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -20,30 +21,45 @@
 namespace rfm {
 namespace {
 
-const Field* exact_solution(const Problem& problem) {
-  const auto exact = problem.verification.exact.find("u");
-  return exact == problem.verification.exact.end() ? nullptr : &exact->second;
-}
-
 // Names of files may be of any encoding; JSON is UTF-8.
 std::string json_text(const nlohmann::ordered_json& summary) {
   return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void log_structure(RunLog& log, const std::string& unknown, const DirichletPlan& plan) {
+  if (!plan.by_structure.empty())
+    log.line("structure: {} = g + omega psi, omega = {}", unknown, plan.weight.formula);
+  if (plan.data_sets.size() > 1)
+    for (const auto& set : plan.data_sets)
+      log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
+  for (const std::string& remark : plan.remarks) log.line("note: {}", remark);
+}
+
+void log_newton(RunLog& log, const ScalarSolution& solution) {
+  if (solution.newton.empty()) return;
+  log.line("{:>6} {:>12} {:>12} {:>8}", "Newton", "residual", "step", "damping");
+  for (std::size_t i = 0; i < solution.newton.size(); ++i) {
+    const NewtonIteration& iteration = solution.newton[i];
+    log.line("{:>6} {:>12.3e} {:>12.3e} {:>8.3g}", i + 1, iteration.residual, iteration.step,
+             iteration.damping);
+  }
+  if (solution.newton_order)
+    log.line("order of convergence of the last steps: {:.2f}", *solution.newton_order);
 }
 
 void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
                   const ScalarSolution& solution) {
   const QuadratureReport& quadrature = solution.rule.report();
   if (!problem.problem().title.empty()) log.line("{}", problem.problem().title);
-  if (!problem.dirichlet().by_structure.empty())
-    log.line("structure: u = g + omega psi, omega = {}", problem.dirichlet().weight.formula);
-  if (problem.dirichlet().data_sets.size() > 1)
-    for (const auto& set : problem.dirichlet().data_sets)
-      log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
-  for (const std::string& remark : problem.dirichlet().remarks) log.line("note: {}", remark);
+  const std::vector<DirichletPlan>& plans = problem.dirichlet();
+  for (std::size_t c = 0; c < plans.size(); ++c)
+    log_structure(log, problem.problem().physics.unknowns[c], plans[c]);
   // A zero inside matters to a weight only.
+  const bool has_weight = std::ranges::any_of(plans, [](const DirichletPlan& plan) {
+    return !plan.by_structure.empty() && !plan.uses_regular_form;
+  });
   for (const Irregularity& irregularity : problem.irregularities())
-    if (irregularity.kind == Irregularity::Kind::dangling ||
-        !(problem.dirichlet().by_structure.empty() || problem.dirichlet().uses_regular_form))
+    if (irregularity.kind == Irregularity::Kind::dangling || has_weight)
       log.line("note: {}", describe(irregularity, problem.region()));
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes the level of u; its mean is set to zero");
@@ -61,44 +77,44 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
         quadrature.uncertified.boundary);
   log.line("measures: domain {:.12g}, boundary {:.12g}; divergence theorem holds to {:.1e}",
            solution.rule.measure(), solution.rule.boundary_measure(), quadrature.divergence_defect);
-  log.line("solved: linear residual {:.1e}, boundary residual {:.1e}, energy {:.12g}",
-           solution.linear.relative_residual, solution.boundary_residual, solution.energy);
+  log_newton(log, solution);
+  log.line("solved: linear residual {:.1e}, boundary residual {:.1e}{}",
+           solution.linear.relative_residual, solution.boundary_residual,
+           solution.energy ? fmt::format(", energy {:.12g}", *solution.energy) : "");
   double largest_datum = 0;
-  for (const PieceCondition& condition : problem.dirichlet().weakly)
-    largest_datum =
-        std::max(largest_datum, maximum(condition.data[0], solution.rule,
-                                        {Contribution::Place::boundary, {condition.primitive}}));
-  if (!problem.dirichlet().weakly.empty() &&
-      solution.boundary_residual > 1e-2 * std::max(largest_datum, 1e-300))
+  bool has_weak_values = false;
+  for (const DirichletPlan& plan : plans)
+    for (const PieceCondition& condition : plan.weakly) {
+      has_weak_values = true;
+      largest_datum =
+          std::max(largest_datum, maximum(condition.data[0], solution.rule,
+                                          {Contribution::Place::boundary, {condition.primitive}}));
+    }
+  if (has_weak_values && solution.boundary_residual > 1e-2 * std::max(largest_datum, 1e-300))
     log.line(
         "note: values enforced weakly are missed by up to {:.2g}: the grid is too coarse there",
         solution.boundary_residual);
-  if (solution.linear.method == LinearSolution::Method::ldlt && problem.dirichlet().weakly.empty())
+  if (solution.linear.method == LinearSolution::Method::ldlt && !has_weak_values)
     log.line(
         "note: the energy is not positive definite (a negative coefficient?); u is stationary");
   if (solution.linear.dropped > 0)
     log.line("note: {} splines without support were dropped", solution.linear.dropped);
 }
 
-void log_errors(RunLog& log, const SolutionErrors& errors) {
-  log.line("error of u: L2 {:.3e} (relative {:.3e}), H1 {:.3e} (relative {:.3e}), max {:.3e}",
-           errors.l2, errors.l2_relative, errors.h1, errors.h1_relative, errors.maximum);
+void log_errors(RunLog& log, const std::string& name, const SolutionErrors& errors) {
+  log.line("error of {}: L2 {:.3e} (relative {:.3e}), H1 {:.3e} (relative {:.3e}), max {:.3e}",
+           name, errors.l2, errors.l2_relative, errors.h1, errors.h1_relative, errors.maximum);
 }
 
-ConvergenceRow solve_row(const ScalarProblem& problem, int cells, const Field* exact,
-                         const Field* previous, Field& u) {
-  const Grid grid = problem.grid(cells);
-  const ScalarSolution solution = problem.solve(grid);
-  u = solution.u;
-  ConvergenceRow row{cells, solution.unknowns, {}, {}};
-  if (exact) {
-    row.errors = solution_errors(problem, grid, solution.u, *exact);
-  } else if (previous) {
-    const double size = norms(solution.u, solution.rule).l2;
-    const double change = norms(solution.u - *previous, solution.rule).l2;
-    row.change = size > 0 ? change / size : change;
+// Change of the solution in L2, relative to it.
+double relative_change(const ScalarSolution& solution, const ScalarResults& previous) {
+  double size = 0, change = 0;
+  for (std::size_t c = 0; c < previous.unknowns.size(); ++c) {
+    const Field& field = solution.results.unknowns[c].field;
+    size = std::hypot(size, norms(field, solution.rule).l2);
+    change = std::hypot(change, norms(field - previous.unknowns[c].field, solution.rule).l2);
   }
-  return row;
+  return size > 0 ? change / size : change;
 }
 
 void log_convergence(RunLog& log, const std::vector<ConvergenceRow>& rows) {
@@ -124,11 +140,16 @@ void log_convergence(RunLog& log, const std::vector<ConvergenceRow>& rows) {
 std::vector<ConvergenceRow> convergence_study(const ScalarProblem& problem,
                                               const std::vector<int>& cells) {
   std::vector<ConvergenceRow> rows;
-  const Field* exact = exact_solution(problem.problem());
-  Field previous, current;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    rows.push_back(solve_row(problem, cells[i], exact, i > 0 ? &previous : nullptr, current));
-    previous = current;
+  ScalarResults previous;
+  for (const int count : cells) {
+    const Grid grid = problem.grid(count);
+    const ScalarSolution solution = problem.solve(grid);
+    ConvergenceRow& row = rows.emplace_back(ConvergenceRow{count, solution.unknowns, {}, {}});
+    if (const auto errors = solution_errors(problem, grid, solution))
+      row.errors = errors->all;
+    else if (rows.size() > 1)
+      row.change = relative_change(solution, previous);
+    previous = solution.results;
   }
   return rows;
 }
@@ -189,11 +210,9 @@ int run_problem(const std::string& file, const RunOptions& options) {
     log.line("{}", relation_text(answer, problem.dimension));
 
   const Stopwatch verify;
-  const Field* exact = exact_solution(problem);
-  if (options.verify && exact) {
-    report.errors = solution_errors(scalar, grid, solution.u, *exact);
-    log_errors(log, *report.errors);
-  }
+  if (options.verify) report.errors = solution_errors(scalar, grid, solution);
+  if (report.errors)
+    for (const auto& [name, errors] : report.errors->by_unknown) log_errors(log, name, errors);
   report.probes = evaluate_probes(scalar, solution);
   const auto& convergence = problem.verification.convergence;
   if (options.converge > 1) {

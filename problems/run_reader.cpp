@@ -66,7 +66,7 @@ Grading read_grading(const DocumentNode& node, ValueReader& values) {
 
 void check_formula_of_results(const DocumentNode& node, ValueReader& values) {
   ExpressionScope scope = values.scope;
-  define_results(scope, stand_in_results(values.dimension));
+  define_results(scope, values.results);
   refuse_normal(scope, values.dimension, "is known on a boundary only");
   values.deferred(node, scope);
 }
@@ -74,6 +74,7 @@ void check_formula_of_results(const DocumentNode& node, ValueReader& values) {
 std::optional<Picture> read_picture(const DocumentNode& node, ValueReader& values) {
   if (node.is_scalar() && node.text != "true") return std::nullopt;
   Picture picture;
+  picture.field = values.results.unknowns[0].name;
   if (const DocumentNode* field = values.find(node, "field")) {
     check_formula_of_results(*field, values);
     picture.field = field->text;
@@ -97,7 +98,8 @@ std::optional<Picture> read_picture(const DocumentNode& node, ValueReader& value
 
 }  // namespace
 
-Discretization read_discretization(const DocumentNode& root, ValueReader& values) {
+Discretization read_discretization(const DocumentNode& root, ValueReader& values,
+                                   const std::vector<std::string>& unknowns) {
   Discretization result;
   const DocumentNode* map = values.find(root, "discretization");
   if (!map) return result;
@@ -108,6 +110,21 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
       result.cells = read_cells(*cells, values);
     if (const DocumentNode* size = values.find(*basis, "size"))
       result.cell_size = values.number(*size);
+    if (const DocumentNode* degrees = values.find(*basis, "degrees"))
+      for (const DocumentNode::Entry& entry : degrees->entries) {
+        if (std::ranges::find(unknowns, entry.key) == unknowns.end())
+          values.mistakes.add(
+              fmt::format("unknown result '{}' in degrees{}; expected: {}", entry.key,
+                          did_you_mean(entry.key, unknowns), fmt::join(unknowns, ", ")),
+              entry.key_place);
+        else if (const auto degree = values.integer(entry.value))
+          result.degrees.emplace(entry.key, *degree);
+      }
+  }
+  if (const DocumentNode* method = values.find(*map, "method")) {
+    if (method->text == "galerkin") result.method = Discretization::Method::galerkin;
+    if (method->text == "least_squares") result.method = Discretization::Method::least_squares;
+    if (method->text == "collocation") result.method = Discretization::Method::collocation;
   }
   if (const DocumentNode* grid = values.find(*map, "grid")) result.grid = values.box(*grid);
   if (const DocumentNode* quadrature = values.find(*map, "quadrature")) {
@@ -123,6 +140,8 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
                                                       : Discretization::LinearSolver::automatic;
     if (const DocumentNode* tolerance = values.find(*solver, "tolerance"))
       result.tolerance = values.number(*tolerance).value_or(result.tolerance);
+    if (const DocumentNode* steps = values.find(*solver, "load_steps"))
+      result.load_steps = values.integer(*steps).value_or(result.load_steps);
     if (const DocumentNode* threads = values.find(*solver, "threads"))
       result.threads = values.integer(*threads);
   }
@@ -135,8 +154,10 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
   Verification& verification = problem.verification;
   if (const DocumentNode* exact = values.find(*map, "exact"))
     for (const DocumentNode::Entry& entry : exact->entries) {
-      if (entry.key != "u") {
-        values.mistakes.add("unknown result '" + entry.key + "' in exact; expected: u",
+      const std::vector<std::string>& unknowns = problem.physics.unknowns;
+      if (std::ranges::find(unknowns, entry.key) == unknowns.end()) {
+        values.mistakes.add(fmt::format("unknown result '{}' in exact; expected: {}", entry.key,
+                                        fmt::join(unknowns, ", ")),
                             entry.key_place);
         continue;
       }
@@ -144,11 +165,12 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
         verification.exact.emplace(entry.key, *field);
     }
   const auto check_quantity = [&](const DocumentNode& node) {
-    constexpr std::array<std::string_view, 16> parts = {
+    constexpr std::array<std::string_view, 17> parts = {
         "probes",          "errors",         "measures",    "energy",
         "unknowns",        "cells",          "seconds",     "eigenvalues",
         "frequencies",     "factors",        "convergence", "boundary_residual",
-        "estimated_error", "peak_memory_mb", "trust",       "relations"};
+        "estimated_error", "peak_memory_mb", "trust",       "relations",
+        "newton"};
     const std::string first = node.text.substr(0, node.text.find_first_of(".["));
     const std::vector<std::string> known(parts.begin(), parts.end());
     if (std::ranges::find(known, first) == known.end())
@@ -222,7 +244,7 @@ void read_outputs(const DocumentNode& root, ValueReader& values, Problem& proble
   problem.outputs.resolution = problem.dimension == 3 ? 48 : 128;
   const DocumentNode* map = values.find(root, "outputs");
   if (!map) return;
-  std::vector<std::string> known = scalar_output_names();
+  std::vector<std::string> known = output_names(values.results);
   known.insert(known.end(), problem.fields.begin(), problem.fields.end());
   const auto check_name = [&](const DocumentNode& node) {
     if (std::ranges::find(known, node.text) == known.end())

@@ -8,7 +8,8 @@
 namespace rfm {
 
 /// Reads `discretization`.
-Discretization read_discretization(const DocumentNode& root, ValueReader& values);
+Discretization read_discretization(const DocumentNode& root, ValueReader& values,
+                                   const std::vector<std::string>& unknowns);
 /// Reads `probes`; their formulas may name results.
 void read_probes(const DocumentNode& root, ValueReader& values, ShapeReader& shapes,
                  BoundaryReader& boundary, Problem& problem);

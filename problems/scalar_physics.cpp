@@ -1,9 +1,11 @@
 #include "problems/scalar_physics.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
+#include "solvers/form_symbols.hpp"
 
 namespace rfm {
 namespace {
@@ -71,7 +73,14 @@ ScalarCoefficients scalar_coefficients(const Problem& problem) {
                                              problem.dimension * problem.dimension);
   if (!heat) coefficients.reaction = with_materials(problem, "reaction", 1)[0];
   coefficients.source = with_materials(problem, "source", 1)[0];
+  coefficients.advection = problem.physics.advection;
   return coefficients;
+}
+
+bool depend_on_solution(const ScalarCoefficients& coefficients) {
+  return has_symbols(coefficients.reaction) || has_symbols(coefficients.source) ||
+         std::ranges::any_of(coefficients.conductivity, has_symbols) ||
+         std::ranges::any_of(coefficients.advection, has_symbols);
 }
 
 namespace {
@@ -105,6 +114,10 @@ std::vector<LevelFunction> coefficient_interfaces(const Problem& problem) {
   for (const Condition& condition : problem.conditions)
     for (const BoundaryTarget& target : condition.targets)
       add_ends(target, problem.dimension, interfaces);
+  if (problem.physics.custom)
+    for (const CustomPhysics::BoundaryForm& form : problem.physics.custom->boundary)
+      for (const BoundaryTarget& target : form.targets)
+        add_ends(target, problem.dimension, interfaces);
   return interfaces;
 }
 

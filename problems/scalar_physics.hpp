@@ -9,12 +9,17 @@
 
 namespace rfm {
 
-/// −∇·(K ∇u) + reaction u = source, with coefficients that may jump between materials.
+/// −∇·(K ∇u) + advection·∇u + reaction u = source, with coefficients that may jump between
+/// materials and may contain u as a symbol (problems/solution_symbols.hpp).
 struct ScalarCoefficients {
   std::vector<Field> conductivity;  ///< K row by row, dimension² entries, symmetric
   Field reaction = 0.0;
   Field source = 0.0;
+  std::vector<Field> advection;  ///< empty for none
 };
+
+/// Whether a coefficient contains the solution.
+bool depend_on_solution(const ScalarCoefficients& coefficients);
 
 /// The coefficients of `poisson` and `heat` as fields, materials chosen point by point.
 ScalarCoefficients scalar_coefficients(const Problem& problem);

@@ -8,10 +8,11 @@
 #include "core/error.hpp"
 #include "core/regular_form.hpp"
 #include "problems/partial_coverage.hpp"
+#include "problems/problem_forms.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/stopwatch.hpp"
-#include "solution_structures/dirichlet.hpp"
 #include "solvers/assembly.hpp"
+#include "solvers/collocation.hpp"
 #include "solvers/energy.hpp"
 #include "solvers/integrate.hpp"
 #include "solvers/solution.hpp"
@@ -100,12 +101,19 @@ Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> 
       box, std::max(1, static_cast<int>(std::ceil(box.longest_side() / size - 1e-9))));
 }
 
+int coefficient_count(std::span<const TensorProductSpace> spaces) {
+  int count = 0;
+  for (const TensorProductSpace& space : spaces) count += space.size();
+  return count;
+}
+
 ScalarProblem::ScalarProblem(const Problem& problem)
     : problem_(problem),
       region_(*problem.domain),
       bounds_(problem_bounds(problem, region_)),
       interfaces_(coefficient_interfaces(problem)),
-      coefficients_(scalar_coefficients(problem)) {
+      coefficients_(problem.physics.custom ? ScalarCoefficients{} : scalar_coefficients(problem)) {
+  check_method(problem);
   // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
   // with few points.
   QuadratureOptions coarse;
@@ -121,21 +129,39 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   check_within_grid(probe);
   check_parts(problem, region_, bounding_primitives_, probe);
   check_materials(problem, probe);
-  if (!is_isotropic(coefficients_, problem.dimension)) check_no_robin();
-  std::vector<bool> regular;
-  for (const PieceCondition& condition : conditions_)
-    regular.push_back(
-        condition.kind != Condition::Kind::value || condition.data[0].is_constant() ||
-        (is_regular(condition.data[0], region_, bounds_) && is_defined(condition.data[0], probe)));
-  try {
-    plan_ = plan_dirichlet(conditions_, region_, bounds_, problem.combine, regular,
-                           regular_form(region_, bounds_));
-  } catch (const InvalidArgument& error) {  // a cap that is not positive, corners that cross inside
-    refuse(error.what(), geometry_place(problem, "combine"));
-  }
+  if (!problem.physics.custom && !is_isotropic(coefficients_, problem.dimension)) check_no_robin();
+  plan_values(probe);
   irregularities_ = rfm::irregularities(region_, bounds_);
-  structure_ = plan_.by_structure.empty() ? Structure::undetermined()
-                                          : rfm::dirichlet(plan_.data, plan_.weight.function);
+}
+
+void ScalarProblem::plan_values(const DomainRule& probe) {
+  const std::optional<BooleanExpression> form = regular_form(region_, bounds_);
+  for (int component = 0; component < unknown_count(); ++component) {
+    std::vector<PieceCondition> own;
+    std::vector<bool> regular;
+    for (const PieceCondition& condition : conditions_) {
+      if (condition.component != component) continue;
+      own.push_back(condition);
+      regular.push_back(condition.kind != Condition::Kind::value ||
+                        condition.data[0].is_constant() ||
+                        (is_regular(condition.data[0], region_, bounds_) &&
+                         is_defined(condition.data[0], probe)));
+    }
+    try {
+      plans_.push_back(plan_dirichlet(own, region_, bounds_, problem_.combine, regular, form));
+    } catch (const InvalidArgument& error) {  // a cap that is not positive, corners inside
+      refuse(error.what(), geometry_place(problem_, "combine"));
+    }
+    const DirichletPlan& plan = plans_.back();
+    for (const PieceCondition& piece : plan.weakly)
+      if (piece.clamped)
+        refuse(fmt::format("'{}' can be clamped by structure only: whole pieces whose corners are "
+                           "all clamped or held",
+                           piece.name),
+               problem_.conditions[piece.condition].place);
+    const Structure psi = Structure::undetermined(component);
+    structures_.push_back(plan.by_structure.empty() ? psi : plan.data + plan.weight.function * psi);
+  }
 }
 
 void ScalarProblem::check_within_grid(const DomainRule& rule) const {
@@ -174,6 +200,26 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
   return make_domain_rule(region, grid, options, interfaces_);
 }
 
+std::vector<TensorProductSpace> ScalarProblem::spaces(const DomainRule& rule) const {
+  const Discretization& discretization = problem_.discretization;
+  std::vector<TensorProductSpace> spaces;
+  for (const std::string& unknown : problem_.physics.unknowns) {
+    const auto own = discretization.degrees.find(unknown);
+    const int degree = own == discretization.degrees.end() ? discretization.degree : own->second;
+    // Cells are left out by the degree of all, so that unknowns live on the same ones.
+    spaces.emplace_back(rule.grid(), degree, cells_in_region(rule, discretization.degree));
+  }
+  return spaces;
+}
+
+DomainRule ScalarProblem::collocation_rule(const Grid& grid) const {
+  QuadratureOptions options;
+  options.inside_points = std::max(2, problem_.discretization.degree - 1);
+  options.cut_points = std::max(2, problem_.discretization.degree);
+  options.gradings = problem_.discretization.gradings;
+  return make_domain_rule(region_, grid, options, interfaces_);
+}
+
 std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   const int dimension = problem_.dimension;
   std::vector<Contribution> list{volume_energy(coefficients_, dimension)};
@@ -186,12 +232,16 @@ std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   double spacing = grid.spacing(0);
   for (int axis = 1; axis < dimension; ++axis) spacing = std::min(spacing, grid.spacing(axis));
   const double penalty = 20.0 * degree * degree / spacing;
-  for (const PieceCondition& condition : plan_.weakly)
-    list.push_back(nitsche_energy(condition, coefficients_, dimension, penalty));
+  for (const DirichletPlan& plan : plans_)
+    for (const PieceCondition& condition : plan.weakly)
+      list.push_back(nitsche_energy(condition, coefficients_, dimension, penalty));
   return list;
 }
 
 bool ScalarProblem::fixed_up_to_constant() const {
+  if (problem_.physics.custom || depend_on_solution(coefficients_) ||
+      !coefficients_.advection.empty())
+    return false;
   if (!coefficients_.reaction.is_constant(0)) return false;
   return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
     if (condition.kind == Condition::Kind::flux) return true;
@@ -228,20 +278,21 @@ double ScalarProblem::stored_energy(const LinearSystem& system,
                                     const std::vector<Contribution>& parts,
                                     const ScalarSolution& solution) const {
   const Eigen::VectorXd& coefficients = solution.linear.coefficients;
+  const Field& u = solution.results.unknowns[0].field;
   double energy = system.energy(coefficients);
-  if (parts.size() == 1 && plan_.data.is_constant(0))
+  if (parts.size() == 1 && plans_[0].data.is_constant(0))
     energy += system.right_hand_side.dot(coefficients);  // the load of the source, and no other
   else if (!coefficients_.source.is_constant(0))
-    energy += integrate(coefficients_.source * solution.u, solution.rule);
+    energy += integrate(coefficients_.source * u, solution.rule);
   for (const Contribution& part : parts)
     if (part.place != Contribution::Place::volume)
-      energy -= rfm::energy(part, {&solution.u, 1}, solution.rule);
+      energy -= rfm::energy(part, {&u, 1}, solution.rule);
   return energy;
 }
 
 ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   Stopwatch quadrature;
-  ScalarSolution solution{.rule = rule(grid), .u = 0.0, .flux = {}, .linear = {}, .seconds = {}};
+  ScalarSolution solution{.rule = rule(grid), .results = {}, .linear = {}, .seconds = {}};
   solution.seconds.quadrature = quadrature.seconds();
   if (misses_divergence_theorem(solution.rule))
     throw ComputationError(fmt::format(
@@ -249,49 +300,101 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
         "{:.2g} in the divergence theorem; use more cells",
         solution.rule.measure(), solution.rule.report().divergence_defect));
 
-  Stopwatch assembly;
+  const std::vector<TensorProductSpace> functions = spaces(solution.rule);
+  solution.unknowns = coefficient_count(functions);
   const bool free_constant = fixed_up_to_constant();
   if (free_constant) check_compatible(solution.rule);
-  const std::vector<std::uint8_t> cells =
-      cells_in_region(solution.rule, problem_.discretization.degree);
-  const std::vector<TensorProductSpace> spaces{
-      TensorProductSpace(grid, problem_.discretization.degree, cells)};
-  const std::vector<Structure> structures{structure_};
-  const std::vector<Contribution> parts = contributions(grid);
-  LinearSystem system = assemble(structures, spaces, parts, solution.rule);
-  if (free_constant) pin_one(system);
-  solution.unknowns = spaces[0].size();
-  solution.seconds.assembly = assembly.seconds();
+  std::vector<Form> equations;
+  std::vector<Contribution> parts;
+  LinearSystem system;
+  if (uses_forms(*this)) {
+    equations = problem_forms(*this, grid);
+    if (std::ranges::all_of(equations, &Form::is_linear))
+      for (const Form& form : equations) parts.push_back(form.linear());
+  } else {
+    parts = contributions(grid);
+  }
+  if (problem_.discretization.method == Discretization::Method::collocation || parts.empty())
+    solve_forms(equations, functions, solution);
+  else
+    system = solve_linear(parts, functions, free_constant, solution);
+  if (!(solution.linear.relative_residual < 1e-6))
+    throw ComputationError(
+        fmt::format("the system of equations could not be solved (relative residual {:.1e})",
+                    solution.linear.relative_residual));
 
-  Stopwatch solve;
+  Stopwatch results;
+  const std::vector<Field> fields =
+      solution_fields(structures_, functions, solution.linear.coefficients);
+  solution.results.dimension = problem_.dimension;
+  for (int c = 0; c < unknown_count(); ++c)
+    solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
+  solution.energy = uses_forms(*this) ? energy_of_forms(*this, equations, solution)
+                                      : stored_energy(system, parts, solution);
+  Field& u = solution.results.unknowns[0].field;
+  if (free_constant) {
+    u = u - integrate(u, solution.rule) / solution.rule.measure();
+    solution.mean_set_to_zero = true;
+  }
+  solution.seconds.solve += results.seconds();
+
+  if (!problem_.physics.custom)
+    for (const Field& component : conductive_flux(coefficients_, u, problem_.dimension))
+      solution.results.flux.push_back(with_solution(component, {&u, 1}));
+  solution.boundary_residual = boundary_residual(solution);
+  return solution;
+}
+
+LinearSolverOptions ScalarProblem::linear_options() const {
   LinearSolverOptions options;
   options.dimension = problem_.dimension;
   options.tolerance = problem_.discretization.tolerance;
   if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
     options.method = LinearSolverOptions::Method::direct;
-  solution.linear = rfm::solve(system, options);
-  if (!(solution.linear.relative_residual < 1e-6))
-    throw ComputationError(
-        fmt::format("the system of equations could not be solved (relative residual {:.1e})",
-                    solution.linear.relative_residual));
-  solution.u = solution_fields(structures, spaces, solution.linear.coefficients)[0];
-  solution.energy = stored_energy(system, parts, solution);
-  if (free_constant) {
-    solution.u = solution.u - integrate(solution.u, solution.rule) / solution.rule.measure();
-    solution.mean_set_to_zero = true;
-  }
-  solution.seconds.solve = solve.seconds();
+  return options;
+}
 
-  solution.flux = conductive_flux(coefficients_, solution.u, problem_.dimension);
+LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
+                                         const std::vector<TensorProductSpace>& functions,
+                                         bool free_constant, ScalarSolution& solution) const {
+  Stopwatch assembly;
+  LinearSystem system = assemble(structures_, functions, parts, solution.rule);
+  if (free_constant) pin_one(system);
+  solution.seconds.assembly = assembly.seconds();
+  Stopwatch solve;
+  solution.linear = rfm::solve(system, linear_options());
+  solution.seconds.solve = solve.seconds();
+  return system;
+}
+
+void ScalarProblem::solve_forms(const std::vector<Form>& equations,
+                                const std::vector<TensorProductSpace>& functions,
+                                ScalarSolution& solution) const {
+  Stopwatch solve;
+  NewtonOptions options;
+  options.load_steps = problem_.discretization.load_steps;
+  const bool at_points = problem_.discretization.method == Discretization::Method::collocation;
+  NewtonSolution newton = at_points
+                              ? solve_collocation(structures_, functions, equations,
+                                                  collocation_rule(solution.rule.grid()), options)
+                              : solve_newton(structures_, functions, equations, solution.rule,
+                                             linear_options(), options);
+  solution.newton_order = newton.order();
+  solution.newton = std::move(newton.iterations);
+  solution.linear = std::move(newton.linear);
+  solution.seconds.solve = solve.seconds();
+}
+
+double ScalarProblem::boundary_residual(const ScalarSolution& solution) const {
+  double largest = 0;
   for (const PieceCondition& condition : conditions_) {
     if (condition.kind != Condition::Kind::value) continue;
-    Field residual = solution.u - condition.data[0];
+    Field residual = solution.results.unknowns[condition.component].field - condition.data[0];
     if (condition.where) residual = select(step(*condition.where), residual, 0.0);
-    solution.boundary_residual = std::max(
-        solution.boundary_residual,
-        maximum(residual, solution.rule, {Contribution::Place::boundary, {condition.primitive}}));
+    largest = std::max(largest, maximum(residual, solution.rule,
+                                        {Contribution::Place::boundary, {condition.primitive}}));
   }
-  return solution;
+  return largest;
 }
 
 }  // namespace rfm

@@ -1,16 +1,21 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "basis/tensor_product_space.hpp"
 #include "core/bounding_box.hpp"
 #include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
+#include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/form.hpp"
 #include "solvers/linear_solver.hpp"
+#include "solvers/newton.hpp"
 
 namespace rfm {
 
@@ -18,25 +23,33 @@ namespace rfm {
 /// says (`discretization.grid`, `.basis.cells`, `.basis.size`).
 Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells = {});
 
+/// The number of coefficients of functions in all of the spaces.
+int coefficient_count(std::span<const TensorProductSpace> spaces);
+
 /// Seconds of wall time spent in the stages of one solve.
 struct SolveSeconds {
   double quadrature = 0, assembly = 0, solve = 0;
 };
 
-/// A solved scalar problem on one grid. `u` is a field like any other.
+/// A solved problem on one grid. Its results are fields like any other.
 struct ScalarSolution {
   DomainRule rule;
-  Field u;
-  std::vector<Field> flux;  ///< +K ∇u
-  int unknowns = 0;
+  ScalarResults results;
+  int unknowns = 0;  ///< coefficients
   LinearSolution linear;
-  double energy = 0;             ///< ½ ∫ (∇u·K∇u + reaction u²)
+  /// ½ ∫ (∇u·K∇u + reaction u²); of custom physics the whole energy, loads and all, or nothing
+  /// where there is none.
+  std::optional<double> energy{};
   double boundary_residual = 0;  ///< max |u − g| over the boundary points of value conditions
   bool mean_set_to_zero = false;
+  /// The steps of a nonlinear problem, and the order of convergence that they show.
+  std::vector<NewtonIteration> newton{};
+  std::optional<double> newton_order{};
   SolveSeconds seconds;
 };
 
-/// A scalar problem made ready once for any number of grids: geometry, coefficients, structure.
+/// A problem of one or several unknown functions made ready once for any number of grids: geometry,
+/// coefficients, structure.
 ///
 ///     ScalarProblem scalar(problem);
 ///     ScalarSolution solution = scalar.solve(scalar.grid());
@@ -51,12 +64,15 @@ class ScalarProblem {
   const Box& bounds() const { return bounds_; }
   const std::vector<int>& bounding_primitives() const { return bounding_primitives_; }
   const std::vector<PieceCondition>& conditions() const { return conditions_; }
-  const DirichletPlan& dirichlet() const { return plan_; }
+  /// By unknown.
+  const std::vector<DirichletPlan>& dirichlet() const { return plans_; }
   const ScalarCoefficients& coefficients() const { return coefficients_; }
-  const Structure& structure() const { return structure_; }
+  /// By unknown.
+  const std::vector<Structure>& structures() const { return structures_; }
   /// Where the function of the domain is zero inside it, and dangling pieces.
   const std::vector<Irregularity>& irregularities() const { return irregularities_; }
 
+  int unknown_count() const { return static_cast<int>(problem_.physics.unknowns.size()); }
   Grid grid(std::optional<int> cells = {}) const { return problem_grid(problem_, bounds_, cells); }
   /// Quadrature for solving: p + 1 points per axis inside, p + 3 in cut cells and on boundaries;
   /// `more_points` beyond that for measuring errors.
@@ -65,18 +81,32 @@ class ScalarProblem {
   }
   /// The same over another region: a part of the domain.
   DomainRule rule(const RegionEvaluator& region, const Grid& grid, int more_points = 0) const;
+  /// The splines of every unknown on the grid of a rule.
+  std::vector<TensorProductSpace> spaces(const DomainRule& rule) const;
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
   ScalarSolution solve(const Grid& grid) const;
 
  private:
+  void plan_values(const DomainRule& probe);
+  /// The points of collocation: p − 1 per axis (2 at least), enough for more equations than
+  /// unknowns, p on boundaries.
+  DomainRule collocation_rule(const Grid& grid) const;
   std::vector<Contribution> contributions(const Grid& grid) const;
+  LinearSystem solve_linear(const std::vector<Contribution>& parts,
+                            const std::vector<TensorProductSpace>& functions, bool free_constant,
+                            ScalarSolution& solution) const;
+  void solve_forms(const std::vector<Form>& equations,
+                   const std::vector<TensorProductSpace>& functions,
+                   ScalarSolution& solution) const;
+  LinearSolverOptions linear_options() const;
   bool fixed_up_to_constant() const;
   void check_within_grid(const DomainRule& rule) const;
   void check_no_robin() const;
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
                        const ScalarSolution& solution) const;
+  double boundary_residual(const ScalarSolution& solution) const;
 
   const Problem& problem_;
   RegionEvaluator region_;
@@ -85,9 +115,9 @@ class ScalarProblem {
   ScalarCoefficients coefficients_;
   std::vector<int> bounding_primitives_;
   std::vector<PieceCondition> conditions_;
-  DirichletPlan plan_;
+  std::vector<DirichletPlan> plans_;
   std::vector<Irregularity> irregularities_;
-  Structure structure_;
+  std::vector<Structure> structures_;
 };
 
 }  // namespace rfm

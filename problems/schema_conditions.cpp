@@ -41,7 +41,9 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"conditions[].priority", integer_value, standard("0"),
      "Where two conditions overlap, the one with the larger priority holds."},
 
-    {"conditions[].value", expression_value, alternative, "u = value (Dirichlet)."},
+    {"conditions[].value", expression_value | named_map_value, alternative,
+     "u = value (Dirichlet); of several unknowns {name: value}, and those left out are free."},
+    {"conditions[].value.*", expression_value, required, "The value of this unknown."},
     {"conditions[].flux", expression_value, alternative,
      "k du/dn = flux, n the outward normal; for heat, heat that enters is positive."},
     {"conditions[].convection", map_value, alternative, "k du/dn = coefficient (ambient - u)."},
@@ -62,8 +64,12 @@ constexpr auto rows = std::to_array<SchemaRow>({
      "The displacement along the outward normal.", later},
     {"conditions[].symmetry", boolean_value, alternative, "A plane of symmetry.", later},
     {"conditions[].spring", components, alternative, "A stiffness per area.", later},
-    {"conditions[].free", boolean_value, alternative, "No force.", later},
-    {"conditions[].clamped", boolean_value, alternative, "No deflection and no rotation.", later},
+    {"conditions[].free", boolean_value, alternative,
+     "Nothing is prescribed: no flux, no force, what the boundary terms of the equation say."},
+    {"conditions[].clamped", boolean_value, alternative,
+     "Values and normal derivatives vanish (no deflection, no rotation): of equations of the "
+     "fourth "
+     "order."},
     {"conditions[].simply_supported", boolean_value, alternative, "No deflection and no moment.",
      later},
     {"conditions[].deflection", expression_value, alternative, "The deflection of a plate.", later},

@@ -76,6 +76,10 @@ std::string method_name(LinearSolution::Method method) {
       return "cholesky";
     case LinearSolution::Method::ldlt:
       return "ldlt";
+    case LinearSolution::Method::lu:
+      return "lu";
+    case LinearSolution::Method::qr:
+      return "qr";
     default:
       return "conjugate_gradient";
   }
@@ -112,9 +116,16 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   add_corners(measures, problem);
   for (const auto& [name, deviation] : distance_quality(problem, solution.rule))
     summary["distance_quality"][name] = deviation;
-  summary["energy"] = solution.energy;
+  if (solution.energy) summary["energy"] = *solution.energy;
+  for (const NewtonIteration& iteration : solution.newton)
+    summary["newton"]["steps"].push_back({{"residual", iteration.residual},
+                                          {"step", iteration.step},
+                                          {"damping", iteration.damping}});
+  if (solution.newton_order) summary["newton"]["order"] = *solution.newton_order;
   summary["boundary_residual"] = solution.boundary_residual;
-  if (report.errors) summary["errors"]["u"] = as_json(*report.errors);
+  if (report.errors)
+    for (const auto& [name, errors] : report.errors->by_unknown)
+      summary["errors"][name] = as_json(errors);
   add_probes(summary, report.probes, file.dimension);
   if (!report.relations.empty())
     summary["relations"] = relations_json(report.relations, file.dimension);
@@ -144,7 +155,11 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
   for (const std::string& note : report.notes) summary["notes"].push_back(note);
-  summary["weight"] = problem.dirichlet().weight.formula;
+  if (problem.dirichlet().size() == 1)
+    summary["weight"] = problem.dirichlet()[0].weight.formula;
+  else
+    for (std::size_t c = 0; c < problem.dirichlet().size(); ++c)
+      summary["weight"][file.physics.unknowns[c]] = problem.dirichlet()[c].weight.formula;
   const RunReport::Seconds& seconds = report.seconds;
   summary["seconds"] = {{"read", seconds.read},
                         {"prepare", seconds.prepare},

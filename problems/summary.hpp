@@ -12,7 +12,7 @@ namespace rfm {
 
 /// Everything that a run found out: what `summary.json` is rendered from.
 struct RunReport {
-  std::optional<SolutionErrors> errors;
+  std::optional<ErrorReport> errors;
   std::vector<ProbeResult> probes;
   std::vector<RelationAnswer> relations;
   std::vector<ConvergenceRow> convergence;

@@ -8,6 +8,7 @@
 #include "core/box.hpp"
 #include "core/expression.hpp"
 #include "problems/problem.hpp"
+#include "problems/result_scope.hpp"
 #include "problems/schema_check.hpp"
 
 namespace rfm {
@@ -25,6 +26,8 @@ class ValueReader {
   ExpressionScope number_scope;
   /// What formulas may name.
   ExpressionScope scope;
+  /// Stand-ins for what the problem will have as results.
+  ScalarResults results;
 
   /// The value of a key of a map, if it is there and fits the table.
   const DocumentNode* find(const DocumentNode& map, std::string_view key) const;

@@ -16,20 +16,48 @@ double SolutionErrors::by_name(const std::string& norm) const {
   throw InvalidArgument("there is no norm '" + norm + "'; expected L2, H1 or max");
 }
 
-SolutionErrors solution_errors(const ScalarProblem& problem, const Grid& grid, const Field& u,
-                               const Field& exact) {
-  const DomainRule rule = problem.rule(grid, 2);
-  const Field difference = u - exact;
-  const FieldNorms error = norms(difference, rule), size = norms(exact, rule);
+namespace {
+
+SolutionErrors errors_of(const FieldNorms& error, const FieldNorms& size) {
   const auto relative = [](double part, double whole) { return whole > 0 ? part / whole : part; };
   SolutionErrors errors;
   errors.l2 = error.l2;
   errors.l2_relative = relative(error.l2, size.l2);
   errors.h1 = error.h1_seminorm;
   errors.h1_relative = relative(error.h1_seminorm, size.h1_seminorm);
-  errors.maximum =
-      std::max(error.maximum, maximum(difference, rule, {Contribution::Place::boundary}));
+  errors.maximum = error.maximum;
   return errors;
+}
+
+void add_component(FieldNorms& sum, const FieldNorms& part) {
+  sum.l2 = std::hypot(sum.l2, part.l2);
+  sum.h1_seminorm = std::hypot(sum.h1_seminorm, part.h1_seminorm);
+  sum.maximum = std::max(sum.maximum, part.maximum);
+}
+
+}  // namespace
+
+std::optional<ErrorReport> solution_errors(const ScalarProblem& problem, const Grid& grid,
+                                           const ScalarSolution& solution) {
+  const std::map<std::string, Field>& exact = problem.problem().verification.exact;
+  if (exact.empty()) return std::nullopt;
+  const DomainRule rule = problem.rule(grid, 2);
+  ErrorReport report;
+  FieldNorms all_error, all_size;
+  for (const auto& [name, field] : solution.results.unknowns) {
+    const auto known = exact.find(name);
+    if (known == exact.end()) continue;
+    const Field difference = field - known->second;
+    FieldNorms error = norms(difference, rule);
+    const FieldNorms size = norms(known->second, rule);
+    error.maximum =
+        std::max(error.maximum, maximum(difference, rule, {Contribution::Place::boundary}));
+    report.by_unknown.emplace_back(name, errors_of(error, size));
+    add_component(all_error, error);
+    add_component(all_size, size);
+  }
+  report.all = errors_of(all_error, all_size);
+  return report;
 }
 
 double observed_order(double coarse_error, double fine_error, int coarse_cells, int fine_cells) {

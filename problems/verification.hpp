@@ -18,9 +18,17 @@ struct SolutionErrors {
   double by_name(const std::string& norm) const;
 };
 
-/// Relative errors of a solution that vanishes are absolute.
-SolutionErrors solution_errors(const ScalarProblem& problem, const Grid& grid, const Field& u,
-                               const Field& exact);
+/// The errors of the unknowns whose exact solution is known, by name, and those of all of them as
+/// one vector, by Euclidean sum (the largest, for `maximum`).
+struct ErrorReport {
+  std::vector<std::pair<std::string, SolutionErrors>> by_unknown;
+  SolutionErrors all;
+};
+
+/// Nothing where no exact solution is known. Relative errors of a solution that vanishes are
+/// absolute.
+std::optional<ErrorReport> solution_errors(const ScalarProblem& problem, const Grid& grid,
+                                           const ScalarSolution& solution);
 
 /// A solve of a convergence study.
 struct ConvergenceRow {

@@ -77,7 +77,8 @@ std::vector<double> grid_lines(const Grid& grid, int axis) {
 
 std::string description(const PieceCondition& condition) {
   static constexpr const char* kinds[] = {"value", "flux", "convection", "robin"};
-  return condition.name + ": " + kinds[static_cast<int>(condition.kind)] +
+  const std::string unknown = condition.unknown.empty() ? "" : condition.unknown + " ";
+  return condition.name + ": " + unknown + kinds[static_cast<int>(condition.kind)] +
          (condition.where ? " on a part" : "");
 }
 

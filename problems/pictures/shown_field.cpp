@@ -43,7 +43,7 @@ std::string shown_title(const Problem& problem) {
 ShownField shown_field(const Problem& problem, const ScalarSolution& solution,
                        const Picture& picture) {
   ExpressionScope scope = problem.scope;
-  define_results(scope, {solution.u, solution.flux, problem.dimension});
+  define_results(scope, solution.results);
   ShownField shown;
   shown.components = evaluate(Expression(picture.field), scope).components;
   shown.name = shown.is_vector() ? "|" + picture.field + "|" : picture.field;

@@ -14,7 +14,9 @@ std::vector<std::string> write_pictures(ResultFolder& folder, const std::string&
     folder.write(file, [&](const std::string& path) { write_png(image, path); });
   };
   std::vector<std::string> remarks;
-  const Picture picture = problem.problem().outputs.picture.value_or(Picture{});
+  Picture plain;
+  plain.field = problem.problem().physics.unknowns[0];
+  const Picture picture = problem.problem().outputs.picture.value_or(plain);
   add(name + ".png", draw_solution(problem, solution, picture, remarks));
   if (const auto image =
           draw_convergence(convergence, shown_title(problem.problem()), picture.width))

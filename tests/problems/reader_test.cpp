@@ -129,7 +129,7 @@ TEST(ReadProblem, ConditionsNamePiecesOfTheBoundary) {
   const Condition& value_condition = problem.conditions[0];
   EXPECT_EQ(value_condition.kind, Condition::Kind::value);
   EXPECT_THAT(value_condition.targets[0].pieces, ElementsAre("plate.bottom"));
-  EXPECT_EQ(value(value_condition.data.at("value").field(problem.scope)), 350);
+  EXPECT_EQ(value(value_condition.data.at("u").field(problem.scope)), 350);
   EXPECT_EQ(value_condition.enforcement, Condition::Enforcement::automatic);
 
   const Condition& convection = problem.conditions[1];
@@ -173,7 +173,7 @@ TEST(ReadProblem, ProbesKeepTheirTextsAndWaitForResults) {
   EXPECT_EQ(centre.values[1].first, "grad(u)");
   ExpressionScope scope = problem.scope;
   const Field u = x_coordinate() * y_coordinate();
-  const ScalarResults results{u, gradient(u, 2), 2};
+  const ScalarResults results{{{"u", u}}, gradient(u, 2), 2};
   define_results(scope, results);
   const ExpressionValue slope = centre.values[1].second.value(scope);
   ASSERT_TRUE(slope.is_vector);
@@ -231,7 +231,7 @@ TEST(ReadProblem, AShortFileHasGoodDefaults) {
   EXPECT_THAT(problem.discretization.cells, ElementsAre(64));
   EXPECT_EQ(value(problem.physics.coefficients.at("diffusivity").entries[0]), 1);
   EXPECT_EQ(value(problem.physics.coefficients.at("source").entries[0]), 0);
-  EXPECT_THAT(problem.outputs.fields, ElementsAre("u"));
+  EXPECT_THAT(problem.outputs.fields, testing::IsEmpty());
   EXPECT_FALSE(problem.outputs.picture);
   EXPECT_FALSE(problem.verification.convergence);
   EXPECT_TRUE(problem.probes.empty());
@@ -242,7 +242,7 @@ TEST(ReadProblem, OverridesReachEveryKey) {
       read(disk, {"parameters.k=3", "physics.source=k*x", "conditions.0.value=k",
                   "geometry.shapes.disk.circle.radius=2", "discretization.basis.size=0.25"});
   EXPECT_NEAR(value(problem.physics.coefficients.at("source").entries[0]), 0.9, 1e-15);
-  EXPECT_EQ(value(problem.conditions[0].data.at("value").field(problem.scope)), 3);
+  EXPECT_EQ(value(problem.conditions[0].data.at("u").field(problem.scope)), 3);
   EXPECT_TRUE(RegionEvaluator(*problem.domain).contains(Point{1.9, 0}));
   EXPECT_EQ(problem.discretization.cell_size, 0.25);
   EXPECT_TRUE(problem.discretization.cells.empty());

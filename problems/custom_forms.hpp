@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/region.hpp"
+#include "problems/problem.hpp"
+#include "solvers/form.hpp"
+
+namespace rfm {
+
+/// The forms of `physics: {type: custom}`: the one of the volume first, then those of the boundary,
+/// piece by piece of the primitives that bound the domain.
+std::vector<Form> custom_forms(const Problem& problem, const RegionEvaluator& region,
+                               const std::vector<int>& bounding_primitives);
+
+}  // namespace rfm

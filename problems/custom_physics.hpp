@@ -1,0 +1,21 @@
+#pragma once
+
+#include "problems/boundary_reader.hpp"
+#include "problems/problem.hpp"
+#include "problems/value_reader.hpp"
+
+namespace rfm {
+
+/// The names of the unknowns of a document, `u` where the physics do not name them: known before
+/// anything else is read, since formulas everywhere may use them.
+std::vector<std::string> unknown_names(const DocumentNode& root, ValueReader& values);
+
+/// Reads the formulas of `physics: {type: custom}`.
+CustomPhysics read_custom(const DocumentNode& map, ValueReader& values,
+                          const std::vector<std::string>& unknowns);
+
+/// Reads `physics.boundary` of custom physics, when parts of the boundary have names.
+void read_custom_boundary(const DocumentNode& root, ValueReader& values, BoundaryReader& boundary,
+                          Problem& problem);
+
+}  // namespace rfm

@@ -1,0 +1,123 @@
+#include "problems/problem_forms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/boundary_piece.hpp"
+#include "core/error.hpp"
+#include "problems/custom_forms.hpp"
+#include "problems/scalar_forms.hpp"
+#include "solvers/integrate.hpp"
+#include "solvers/weak_values.hpp"
+
+namespace rfm {
+namespace {
+
+using Method = Discretization::Method;
+
+bool uses_residuals(const Problem& problem) {
+  return problem.discretization.method == Method::least_squares ||
+         problem.discretization.method == Method::collocation;
+}
+
+[[noreturn]] void refuse_at(const Place& place, const std::string& message) {
+  throw ProblemFileErrors({Mistake{message, place}});
+}
+
+std::vector<Form> scalar_forms(const ScalarProblem& problem, double h) {
+  const int dimension = problem.problem().dimension;
+  const bool residuals = uses_residuals(problem.problem());
+  std::vector<Form> list{volume_form(problem.coefficients(), dimension, residuals)};
+  for (const PieceCondition& condition : problem.conditions())
+    for (Form& natural :
+         natural_forms(condition, problem.coefficients(),
+                       outward_normal(condition.primitive, problem.region()), residuals, h))
+      list.push_back(std::move(natural));
+  return list;
+}
+
+Form weak_value(const ScalarProblem& problem, const PieceCondition& condition, const Form& volume,
+                double h) {
+  const std::vector<Field> normal = outward_normal(condition.primitive, problem.region());
+  if (volume.kind() == Form::Kind::least_squares && !problem.problem().physics.custom)
+    return value_residual(condition, problem.coefficients(), normal, h);
+  const double degree = problem.problem().discretization.degree;
+  try {
+    return weak_values(volume, condition.component, condition.data[0], normal,
+                       20 * degree * degree / h, form_place(condition));
+  } catch (const InvalidArgument& error) {
+    refuse_at(problem.problem().conditions[condition.condition].place,
+              fmt::format("the value at '{}' cannot be enforced weakly: {}", condition.name,
+                          error.what()));
+  }
+}
+
+double integral_of_energy(const Form& form, const std::vector<Field>& fields,
+                          const DomainRule& rule) {
+  Field density = form.density(fields);
+  if (form.place().where) density = select(step(*form.place().where), density, 0.0);
+  return integrate(density, rule, {form.place().place, form.place().numbers});
+}
+
+}  // namespace
+
+bool uses_forms(const ScalarProblem& problem) {
+  const Problem& file = problem.problem();
+  if (file.physics.custom || file.discretization.method != Method::ritz ||
+      !problem.coefficients().advection.empty() || depend_on_solution(problem.coefficients()))
+    return true;
+  return std::ranges::any_of(problem.conditions(), [](const PieceCondition& condition) {
+    return std::ranges::any_of(condition.data, has_symbols);
+  });
+}
+
+std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) {
+  double h = grid.spacing(0);
+  for (int axis = 1; axis < grid.dimension(); ++axis) h = std::min(h, grid.spacing(axis));
+  std::vector<Form> list =
+      problem.problem().physics.custom
+          ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
+          : scalar_forms(problem, h);
+  for (const DirichletPlan& plan : problem.dirichlet())
+    for (const PieceCondition& condition : plan.weakly)
+      list.push_back(weak_value(problem, condition, list[0], h));
+  return list;
+}
+
+std::optional<double> energy_of_forms(const ScalarProblem& problem,
+                                      const std::vector<Form>& equations,
+                                      const ScalarSolution& solution) {
+  std::vector<Field> fields;
+  for (const auto& [name, field] : solution.results.unknowns) fields.push_back(field);
+  if (const auto& custom = problem.problem().physics.custom) {
+    if (custom->kind != CustomPhysics::Kind::energy) return std::nullopt;
+    const std::size_t own =
+        custom_forms(problem.problem(), problem.region(), problem.bounding_primitives()).size();
+    double sum = 0;  // forms beyond these enforce values
+    for (std::size_t i = 0; i < own; ++i)
+      sum += integral_of_energy(equations[i], fields, solution.rule);
+    return sum;
+  }
+  const int dimension = problem.problem().dimension;
+  const Field& u = fields[0];
+  Field density = product_or_nothing(problem.coefficients().reaction, u * u);
+  const std::vector<Field> flux = conductive_flux(problem.coefficients(), u, dimension);
+  for (int axis = 0; axis < dimension; ++axis) density = density + flux[axis] * partial(u, axis);
+  return 0.5 * integrate(with_solution(density, fields), solution.rule);
+}
+
+void check_method(const Problem& problem) {
+  if (!problem.physics.custom) return;
+  const CustomPhysics& custom = *problem.physics.custom;
+  const bool has_residuals = custom.kind == CustomPhysics::Kind::residuals;
+  if (uses_residuals(problem) && !has_residuals)
+    refuse_at(custom.place,
+              "least squares and collocation need `residuals`: no energy or weak form tells them");
+  if (problem.discretization.method == Method::galerkin && has_residuals)
+    refuse_at(
+        custom.place,
+        "residuals are solved by least squares or collocation; Galerkin's method needs `weak`");
+}
+
+}  // namespace rfm

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problems/scalar_problem.hpp"
+#include "solvers/form.hpp"
+
+namespace rfm {
+
+/// Whether a problem is solved by forms (solvers/form.hpp): custom physics, coefficients that
+/// contain the solution, advection, and every method but Ritz's. The others have quadratic
+/// energies, whose data need no derivation.
+bool uses_forms(const ScalarProblem& problem);
+
+/// The equations of such a problem on a grid, that of the volume first; values that are enforced
+/// weakly are among them. Throws `ProblemFileErrors` where an equation cannot have such values.
+std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid);
+
+/// The user's energy; of a scalar equation ½ ∫ (∇u·K∇u + reaction u²); nothing where there is none.
+std::optional<double> energy_of_forms(const ScalarProblem& problem,
+                                      const std::vector<Form>& equations,
+                                      const ScalarSolution& solution);
+
+/// Throws `ProblemFileErrors` for a method that custom physics do not have.
+void check_method(const Problem& problem);
+
+}  // namespace rfm

@@ -1,0 +1,80 @@
+#include "problems/scalar_forms.hpp"
+
+namespace rfm {
+namespace {
+
+// q(u) of n·K∇u = q.
+Field natural_flux(const PieceCondition& condition, const ScalarCoefficients& coefficients,
+                   const Field& u) {
+  const std::vector<Field>& data = condition.data;
+  switch (condition.kind) {
+    case Condition::Kind::flux:
+      return data[0];
+    case Condition::Kind::convection:
+      return data[0] * (data[1] - u);
+    case Condition::Kind::robin:
+      return coefficients.conductivity[0] * (data[2] - data[0] * u) / data[1];
+    case Condition::Kind::value:
+      break;
+  }
+  return 0.0;
+}
+
+Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
+  Field sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + product_or_nothing(a[i], b[i]);
+  return sum;
+}
+
+// a·∇u + reaction u − source.
+Field lower_terms(const ScalarCoefficients& coefficients, const Field& u, int dimension) {
+  Field sum = product_or_nothing(coefficients.reaction, u) - coefficients.source;
+  if (!coefficients.advection.empty())
+    sum = sum + dot(coefficients.advection, gradient(u, dimension));
+  return sum;
+}
+
+}  // namespace
+
+FormPlace form_place(const PieceCondition& condition) {
+  return {Contribution::Place::boundary, {condition.primitive}, condition.where};
+}
+
+Form volume_form(const ScalarCoefficients& coefficients, int dimension, bool least_squares) {
+  const Field u = unknown_symbol(0, dimension), v = test_symbol(0, dimension);
+  const std::vector<Field> flux = conductive_flux(coefficients, u, dimension);
+  const Field lower = lower_terms(coefficients, u, dimension);
+  if (!least_squares)
+    return Form::weak(dot(flux, gradient(v, dimension)) + product_or_nothing(lower, v));
+  Field residual = lower;
+  for (int axis = 0; axis < dimension; ++axis) residual = residual - partial(flux[axis], axis);
+  return Form::least_squares({residual});
+}
+
+std::vector<Form> natural_forms(const PieceCondition& condition,
+                                const ScalarCoefficients& coefficients,
+                                const std::vector<Field>& normal, bool least_squares, double h) {
+  if (condition.kind == Condition::Kind::value) return {};
+  const int dimension = static_cast<int>(normal.size());
+  const Field u = unknown_symbol(0, dimension);
+  const Field flux = natural_flux(condition, coefficients, u);
+  if (least_squares)
+    return {Form::least_squares({dot(conductive_flux(coefficients, u, dimension), normal) - flux},
+                                {1 / h}, form_place(condition))};
+  if (flux.is_constant(0)) return {};
+  return {Form::weak(-flux * test_symbol(0, dimension), form_place(condition))};
+}
+
+Form value_residual(const PieceCondition& condition, const ScalarCoefficients& coefficients,
+                    const std::vector<Field>& normal, double h) {
+  const int dimension = static_cast<int>(normal.size());
+  Field k = 0.0;
+  for (int i = 0; i < dimension; ++i)
+    for (int j = 0; j < dimension; ++j)
+      k = k +
+          product_or_nothing(coefficients.conductivity[i * dimension + j], normal[i] * normal[j]);
+  return Form::least_squares({k * (unknown_symbol(0, dimension) - condition.data[0])},
+                             {1 / (h * h * h)}, form_place(condition));
+}
+
+}  // namespace rfm
