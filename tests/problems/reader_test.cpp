@@ -310,7 +310,7 @@ TEST(ReadProblem, WhatIsNotSupportedYetIsNeverIgnored) {
         "enrich=[{at: [0, 0]}]", "discretization.refine=[{where: x}]",
         "discretization.structure=phi + omega*psi", "discretization.accuracy={target: 1e-3}",
         "study={type: transient, to: 1, step: 0.1}", "cracks=[{on: p, tip: [0, 0]}]",
-        "remainder=psi", "physics.advection=[1, 0]", "include=[a.yaml]",
+        "remainder=psi", "include=[a.yaml]",
         "probes={p: {point: [0, 0], value: u, at_times: [1]}}"}) {
     const std::vector<std::string> found = messages(disk, {override_text});
     EXPECT_THAT(found, testing::Each(testing::HasSubstr("is not supported yet"))) << override_text;
