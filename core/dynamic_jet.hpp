@@ -165,14 +165,12 @@ template <class T>
 DynamicJet<T> operator/(const DynamicJet<T>& a, const DynamicJet<T>& b) {
   DynamicJet<T> quotient(common_shape(a, b));
   quotient.c[0] = a.c[0] / b.c[0];
-  if (quotient.size == 1) return quotient;
-  const T inverse = T(1.0) / b.c[0];
   for (int i = 1; i < quotient.size; ++i) {
     T rest = coefficient(a, i);
     if (b.size > 1)
       for (const auto& term : b.shape->product_terms(i))
         if (term.right != 0) rest = rest - quotient.c[term.left] * b.c[term.right];
-    quotient.c[i] = rest * inverse;
+    quotient.c[i] = rest / b.c[0];
   }
   return quotient;
 }
@@ -182,24 +180,38 @@ DynamicJet<T> quadratic_root(const DynamicJet<T>& p, const DynamicJet<T>& r, con
   const JetShape& shape = common_shape(p, r);
   DynamicJet<T> root(shape), factor(shape);
   root.c[0] = value;
-  const T inverse = T(1.0) / (p.c[0] + (value + value));
+  const T divisor = p.c[0] + (value + value);
   for (int i = 1; i < root.size; ++i) {
     const auto terms = shape.product_terms(i);
     T rest = coefficient(r, i) - value * coefficient(p, i);
     for (std::size_t k = 1; k + 1 < terms.size(); ++k)
       rest = rest - root.c[terms[k].left] * factor.c[terms[k].right];
-    root.c[i] = rest * inverse;
+    root.c[i] = rest / divisor;
     factor.c[i] = coefficient(p, i) + root.c[i];
   }
   return root;
 }
 
 template <class T>
-DynamicJet<T> stretched(DynamicJet<T> f, const T& factor) {
-  f.c[0] = f.c[0] / factor;
-  for (int i = 1; i < f.size; ++i)
-    for (int k = degree(f.shape->exponent(i)); k > 1; --k) f.c[i] = f.c[i] * factor;
-  return f;
+void for_each_derivative(const DynamicJet<T>& a, const auto& solve) {
+  for (int i = 1; i < a.size; ++i) solve(i);
+}
+template <class T>
+T without_products(T rest, const DynamicJet<T>& a, const DynamicJet<T>& b, int i) {
+  const auto terms = a.shape->product_terms(i);
+  for (std::size_t k = 1; k + 1 < terms.size(); ++k)
+    rest = rest - a.c[terms[k].left] * b.c[terms[k].right];
+  return rest;
+}
+template <class T>
+int degree_at(const DynamicJet<T>& a, const DynamicJet<T>& b, int i) {
+  return degree(common_shape(a, b).exponent(i));
+}
+template <class T>
+DynamicJet<T> constant_like(const DynamicJet<T>& a, const T& value) {
+  DynamicJet<T> constant(*a.shape);
+  constant.c[0] = value;
+  return constant;
 }
 
 template <class T>

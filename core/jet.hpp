@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include "core/jet_product.hpp"
@@ -115,18 +116,38 @@ T remainder(T coefficient, const std::array<T, size>& quotient, const std::array
   return coefficient;
 }
 
+/// The quotient of which the value is known: q b = a, solved coefficient by coefficient in
+/// ascending degree, without powers of 1/b. `divided` divides by the value of b.
+template <class T, int N, int K>
+void solve_quotient(const Jet<T, N, K>& a, const Jet<T, N, K>& b, Jet<T, N, K>& quotient,
+                    const auto& divided) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    ((quotient.c[i + 1] = divided(remainder<N, i + 1>(a.c[i + 1], quotient.c, b.c))), ...);
+  }
+  (std::make_index_sequence<quotient.size - 1>{});
+}
+/// The same where the value of b is so large or small that its reciprocal is no use.
+template <class T, int N, int K>
+[[gnu::noinline, gnu::cold]] void solve_extreme_quotient(const Jet<T, N, K>& a,
+                                                         const Jet<T, N, K>& b,
+                                                         Jet<T, N, K>& quotient) {
+  solve_quotient(a, b, quotient, [&](const T& rest) { return T(rest / b.c[0]); });
+}
+
 template <class T, int N, int K>
 Jet<T, N, K> operator/(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  // q b = a, solved coefficient by coefficient in ascending degree: no powers of 1/b. The value is
-  // rounded once, so that it does not depend on the order.
+  // The value is rounded once, so that it does not depend on the order.
   Jet<T, N, K> quotient;
   quotient.c[0] = a.c[0] / b.c[0];
   if constexpr (K > 0) {
-    const T inverse = T(1.0) / b.c[0];
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      ((quotient.c[i + 1] = remainder<N, i + 1>(a.c[i + 1], quotient.c, b.c) * inverse), ...);
+    if constexpr (is_plain<T>) {
+      if (any(has_no_reciprocal(b.c[0]))) [[unlikely]] {
+        solve_extreme_quotient(a, b, quotient);
+        return quotient;
+      }
     }
-    (std::make_index_sequence<quotient.size - 1>{});
+    const T inverse = T(1.0) / b.c[0];
+    solve_quotient(a, b, quotient, [&](const T& rest) { return T(rest * inverse); });
   }
   return quotient;
 }
@@ -153,13 +174,36 @@ Jet<T, N, K> quadratic_root(const Jet<T, N, K>& p, const Jet<T, N, K>& r, const 
   return root;
 }
 
-/// Coefficients of degree k times factor^{k−1}: f(c h) / c as a function of h.
+/// A place of a jet that is known at compile time.
+template <int i>
+using Place = std::integral_constant<int, i>;
+
+/// Calls `solve` with the place of every coefficient but the value, in ascending degree.
 template <class T, int N, int K>
-Jet<T, N, K> stretched(Jet<T, N, K> f, const T& factor) {
-  f.c[0] = f.c[0] / factor;
-  for (int i = 1 + N; i < f.size; ++i)
-    for (int k = jet_degree(N, i); k > 1; --k) f.c[i] = f.c[i] * factor;
-  return f;
+void for_each_derivative(const Jet<T, N, K>&, const auto& solve) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (solve(Place<int(i) + 1>()), ...); }
+  (std::make_index_sequence<Jet<T, N, K>::size - 1>{});
+}
+/// `rest` − Σ a_β b_{α−β}, 0 < β < α: what lower coefficients contribute to that of a product at a
+/// place.
+template <class T, int N, int K, int i>
+T without_products(T rest, const Jet<T, N, K>& a, const Jet<T, N, K>& b, Place<i>) {
+  static constexpr auto terms = jet_product_terms<N, i>();
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((rest = rest - a.c[terms[k + 1].left] * b.c[terms[k + 1].right]), ...);
+  }
+  (std::make_index_sequence<terms.size() - 2>{});
+  return rest;
+}
+/// The degree of a coefficient of two jets that are combined.
+template <class T, int N, int K>
+constexpr int degree_at(const Jet<T, N, K>&, const Jet<T, N, K>&, int i) {
+  return jet_degree(N, i);
+}
+/// A jet of the shape of another one of which only the value is not zero.
+template <class T, int N, int K>
+Jet<T, N, K> constant_like(const Jet<T, N, K>&, const T& value) {
+  return Jet<T, N, K>::constant(value);
 }
 
 /// The Taylor coefficients f^(k)(a₀)/k!, k = 0 … order, of a function of one variable.

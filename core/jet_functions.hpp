@@ -1,41 +1,51 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "core/jet.hpp"
+#include "core/jet_scaling.hpp"
 
 namespace rfm {
 
-// Elementary functions of jets but powers (core/jet_powers.hpp): each is composed with its argument
-// by its own Taylor coefficients at the value there.
+// Elementary functions of jets but powers (core/jet_powers.hpp) and inverse functions of circular
+// and hyperbolic ones (core/jet_inverse_functions.hpp). Most are composed with their argument by
+// their own Taylor coefficients at the value there. Where these may overflow or underflow although
+// the increments of the argument make up for it, as for large arguments of a logarithm, increments
+// are taken in units of the value or of a length.
 
+/// √a = r by r² = a, coefficient by coefficient in ascending degree. At a = 0 they are 0.
 template <class T, int N, int K>
 Jet<T, N, K> sqrt(const Jet<T, N, K>& a) {
   using std::sqrt;
-  TaylorSeries<T, K> taylor;
-  taylor[0] = sqrt(a.c[0]);
-  if (a.order() > 0) {
-    // From the root: next to zero the reciprocal of the argument overflows before the slope does.
-    taylor[1] = select(equal(a.c[0], T(0.0)), T(0.0), T(0.5) / taylor[0]);
-    const T inverse = reciprocal_or_zero(a.c[0]);
-    for (int k = 2; k <= a.order(); ++k) taylor[k] = T((1.5 - k) / k) * taylor[k - 1] * inverse;
-  }
-  return compose(a, taylor);
+  Jet<T, N, K> root = constant_like(a, T(sqrt(a.c[0])));
+  if (a.order() == 0) return root;
+  const T inverse = select(equal(a.c[0], T(0.0)), T(0.0), T(0.5) / root.c[0]);
+  Jet<T, N, K> relative = root;  // r / 2r₀
+  for_each_derivative(a, [&](auto i) {
+    root.c[i] = without_products(T(a.c[i] * inverse), relative, root, i);
+    relative.c[i] = root.c[i] * inverse;
+  });
+  return root;
 }
 
+/// ∛a = r by r³ = a: with ρ = r/r₀ and σ = ρ², r_α = a_α/3r₀² − Σ ⅓r_β (ρ + σ)_{α−β}, 0 < β < α.
+/// At a = 0 the coefficients are 0.
 template <class T, int N, int K>
 Jet<T, N, K> cbrt(const Jet<T, N, K>& a) {
   using std::cbrt;
-  TaylorSeries<T, K> taylor;
-  taylor[0] = cbrt(a.c[0]);
-  if (a.order() > 0) {
-    taylor[1] = select(equal(a.c[0], T(0.0)), T(0.0), T(1.0) / (T(3.0) * square(taylor[0])));
-    const T inverse = reciprocal_or_zero(a.c[0]);
-    for (int k = 2; k <= a.order(); ++k)
-      taylor[k] = T(4.0 - 3 * k) / T(3.0 * k) * taylor[k - 1] * inverse;
-  }
-  return compose(a, taylor);
+  Jet<T, N, K> root = constant_like(a, T(cbrt(a.c[0])));
+  if (a.order() == 0) return root;
+  const T unit = reciprocal_or_zero(root.c[0]);
+  const T inverse = select(equal(a.c[0], T(0.0)), T(0.0), T(1.0 / 3) * root.c[0] / a.c[0]);
+  Jet<T, N, K> third = root, relative = root, sum = root;  // ⅓r, ρ, ρ + σ
+  for_each_derivative(a, [&](auto i) {
+    root.c[i] = without_products(T(a.c[i] * inverse), third, sum, i);
+    third.c[i] = root.c[i] * T(1.0 / 3);
+    relative.c[i] = root.c[i] * unit;
+    sum.c[i] = T(3.0) * relative.c[i] - without_products(T(0.0), relative, relative, i);
+  });
+  return root;
 }
 
 template <class T, int N, int K>
@@ -47,21 +57,25 @@ Jet<T, N, K> exp(const Jet<T, N, K>& a) {
   return compose(a, taylor);
 }
 
+/// log a by its derivative: with e = a/a₀ and D the sum over all variables x of x ∂/∂x, which
+/// multiplies coefficients by their degree, e D(log a) = De.
 template <class T, int N, int K>
 Jet<T, N, K> log(const Jet<T, N, K>& a) {
   using std::log;
-  TaylorSeries<T, K> taylor;
-  taylor[0] = log(a.c[0]);
-  if (a.order() > 0) {
-    // Where the logarithm is not defined its derivatives are not either.
-    const T inverse = nan_where_nan(T(T(1.0) / a.c[0]), taylor[0]);
-    T power = inverse;
-    for (int k = 1; k <= a.order(); ++k) {
-      taylor[k] = T((k % 2 == 1 ? 1.0 : -1.0) / k) * power;
-      power = power * inverse;
-    }
-  }
-  return compose(a, taylor);
+  Jet<T, N, K> result = constant_like(a, T(log(a.c[0])));
+  if (a.order() == 0) return result;
+  // Where the logarithm is not defined its derivatives are not either.
+  T unit = a.c[0];
+  if constexpr (is_plain<T>)
+    unit = select(less(T(0.0), unit), unit, T(std::numeric_limits<double>::quiet_NaN()));
+  const Jet<T, N, K> e = in_units_of(unit, a);
+  Jet<T, N, K> slope = e;
+  for_each_derivative(a, [&](auto i) {
+    const double degree = degree_at(a, a, i);
+    slope.c[i] = without_products(T(T(degree) * e.c[i]), slope, e, i);
+    result.c[i] = slope.c[i] * T(1 / degree);
+  });
+  return result;
 }
 
 /// The Taylor coefficients of a function whose derivatives repeat as `first`, `second`, ± those.
@@ -113,8 +127,10 @@ TaylorSeries<T, K> riccati_series(int order, const T& value, const T& slope, dou
   taylor[0] = value;
   if (order > 0) taylor[1] = slope;
   for (int k = 1; k < order; ++k) {
-    T sum = T(0.0);
-    for (int i = 0; i <= k; ++i) sum = sum + taylor[i] * taylor[k - i];
+    T sum = taylor[0] * taylor[k];
+    for (int i = 1; 2 * i < k; ++i) sum = sum + taylor[i] * taylor[k - i];
+    sum = sum + sum;
+    if (k % 2 == 0) sum = sum + square(taylor[k / 2]);
     taylor[k + 1] = T(sign / (k + 1)) * sum;
   }
   return taylor;
@@ -136,69 +152,6 @@ Jet<T, N, K> tanh(const Jet<T, N, K>& a) {
   return compose(a, riccati_series<T, K>(a.order(), T(tanh(a.c[0])), slope, -1));
 }
 
-/// The jet in one variable at the value of `a`, one order lower: derivatives of inverse functions
-/// are built from it.
-template <class T, int N, int K>
-auto own_variable(const Jet<T, N, K>& a) {
-  return Jet<T, 1, (K > 0 ? K - 1 : 0)>::variable(0, a.c[0]);
-}
-
-/// Taylor coefficients of a primitive of g = (1 ∓ x²)^{−1/2}, from its value, g(x) and i = ±1/(1 ∓
-/// x²): (1 ∓ x²) g′ = ±x g, so that g_{k+1} = i ((2k + 1) x g_k + k g_{k−1}) / (k + 1).
-template <class T, int K>
-TaylorSeries<T, K> inverse_root_primitive(int order, const T& value, const T& slope, const T& x,
-                                          const T& inverse) {
-  TaylorSeries<T, K> taylor;
-  taylor[0] = value;
-  T before = T(0.0), last = slope;
-  for (int k = 0; k < order; ++k) {
-    taylor[k + 1] = last * T(1.0 / (k + 1));
-    if (k + 1 == order) break;
-    const T next = inverse * (T((2 * k + 1.0) / (k + 1)) * (x * last) + T(k / (k + 1.0)) * before);
-    before = last;
-    last = next;
-  }
-  return taylor;
-}
-
-template <class T, int N, int K>
-Jet<T, N, K> asin(const Jet<T, N, K>& a) {
-  using std::asin;
-  if (a.order() == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
-  // (1 − a)(1 + a) does not cancel next to ±1, where the derivatives are 0 by convention.
-  const T rest = (T(1.0) - a.c[0]) * (T(1.0) + a.c[0]);
-  using std::sqrt;
-  const T slope = select(equal(rest, T(0.0)), T(0.0), T(1.0) / T(sqrt(rest)));
-  return compose(a, inverse_root_primitive<T, K>(a.order(), T(asin(a.c[0])), slope, a.c[0],
-                                                 reciprocal_or_zero(rest)));
-}
-
-template <class T, int N, int K>
-Jet<T, N, K> acos(const Jet<T, N, K>& a) {
-  using std::acos;
-  Jet<T, N, K> result = -asin(a);
-  result.c[0] = acos(a.c[0]);
-  return result;
-}
-
-template <class T, int N, int K>
-Jet<T, N, K> atan(const Jet<T, N, K>& a) {
-  using std::atan;
-  if (a.order() == 0) return Jet<T, N, K>::constant(atan(a.c[0]));
-  const auto x = own_variable(a);
-  const decltype(x) one(1.0);
-  return compose_primitive(a, T(atan(a.c[0])), one / (one + x * x));
-}
-
-template <class T, int N, int K>
-Jet<T, N, K> asinh(const Jet<T, N, K>& a) {
-  using std::asinh;
-  if (a.order() == 0) return Jet<T, N, K>::constant(asinh(a.c[0]));
-  const T slope = T(1.0) / length_with_one(a.c[0]);
-  return compose(a, inverse_root_primitive<T, K>(a.order(), T(asinh(a.c[0])), slope, a.c[0],
-                                                 T(T(-1.0) / (T(1.0) + square(a.c[0])))));
-}
-
 template <class T, int N, int K>
 Jet<T, N, K> erf(const Jet<T, N, K>& a) {
   using std::erf;
@@ -218,21 +171,4 @@ Jet<T, N, K> erf(const Jet<T, N, K>& a) {
   return compose(a, taylor);
 }
 
-/// The angle of (x, y): all derivatives are those of atan(y/x) or of −atan(x/y), whichever quotient
-/// is the smaller.
-template <class T, int N, int K>
-Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
-  using std::atan2;
-  Jet<T, N, K> angle;
-  if constexpr (K != 0) {
-    const auto steep = farther_from_zero(y.c[0], x.c[0]);
-    const Jet<T, N, K> numerator = select(steep, x, y), denominator = select(steep, y, x);
-    const Jet<T, N, K> flat = atan(numerator / denominator);
-    const Jet<T, N, K> regular = select(steep, -flat, flat);
-    const auto above = equal(x.c[0], T(0.0)), beside = equal(y.c[0], T(0.0));
-    angle = select(above, select(beside, Jet<T, N, K>(), regular), regular);
-  }
-  angle.c[0] = atan2(y.c[0], x.c[0]);
-  return angle;
-}
 }  // namespace rfm

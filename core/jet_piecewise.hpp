@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/jet.hpp"
+#include "core/jet_scaling.hpp"
 
 namespace rfm {
 
@@ -85,8 +85,11 @@ Jet<T, N, K> mod(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
   if constexpr (requires { floored_remainder(a.c[0], b.c[0]); }) {
     // Next to multiples of b the quotient may round to the wrong whole number.
     using std::floor;
-    const T rest = floored_remainder(a.c[0], b.c[0]);
-    Jet<T, N, K> result = a - scaled(T(floor((a.c[0] - rest) / b.c[0] + T(0.5))), b);
+    const T rest = floored_remainder(a.c[0], b.c[0]), multiple = a.c[0] - rest;
+    const T quotient = floor(multiple / b.c[0] + T(0.5));
+    Jet<T, N, K> result = a - scaled(quotient, b);
+    if (any(is_infinite(quotient))) [[unlikely]]
+      result = select(is_infinite(quotient), a - scaled(multiple, in_units_of(b.c[0], b)), result);
     result.c[0] = rest;
     return result;
   } else {

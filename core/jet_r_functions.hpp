@@ -22,16 +22,19 @@ namespace rfm {
 template <class T>
 struct R0Weights {
   T value, p, q;
-  T curvature;  ///< ±1/s, or 0 where s = 0
+  T a_part, b_part;  ///< ±a/s, ±b/s, or 0 where s = 0
+  T curvature;       ///< ±1/s over `factor`, or 0 where s = 0
+  T factor = T(1.0);
+  bool has_factor = false;
 
   [[gnu::always_inline]] R0Weights(const T& a, const T& b, bool conjunction) {
     using std::abs, std::max;
     const T size = max(T(abs(a)), T(abs(b)));
     const auto large = less(T(0x1p480), size), small = less(size, T(0x1p-480));
     if (any(large) || any(small)) {
-      const T factor = select(large, T(0x1p-600), select(small, T(0x1p800), T(1.0)));
+      has_factor = true;
+      factor = select(large, T(0x1p-600), select(small, T(0x1p800), T(1.0)));
       compute(a, b, factor * a, factor * b, T(1.0) / factor, factor * size, conjunction);
-      curvature = factor * curvature;
     } else {
       compute(a, b, a, b, T(1.0), size, conjunction);
     }
@@ -54,6 +57,8 @@ struct R0Weights {
     // The weight of the nearer argument is exactly 1 and the other one exactly 0 where it is
     // negligible.
     curvature = signed_by(inverse);
+    a_part = x * curvature;
+    b_part = y * curvature;
     const T of_near = T(1.0) - near * curvature;
     const T of_far = select(stable, T(near * inverse * part), T(T(1.0) - far * curvature));
     p = select(first, of_near, of_far);
@@ -71,10 +76,12 @@ template <bool conjunction, class T, int N, int K>
   const R0Weights<T> at(a0, b0, conjunction);
   result(0, at.value);
   if constexpr (K >= 1) [&]<std::size_t... axis>(std::index_sequence<axis...>) {
-      const std::array<T, N> w{(at.curvature * (b0 * a(1 + axis) - a0 * b(1 + axis)))...};
+      const std::array<T, N> w{(at.b_part * a(1 + axis) - at.a_part * b(1 + axis))...};
       (result(1 + axis, T(at.p * a(1 + axis) + at.q * b(1 + axis))), ...);
       if constexpr (K == 2) {
-        const std::array<T, N> bent{(at.curvature * w[axis])...};
+        std::array<T, N> bent{(at.curvature * w[axis])...};
+        if (at.has_factor) [[unlikely]]
+          ((bent[axis] = at.factor * bent[axis]), ...);
         const auto second = [&]<std::size_t i, std::size_t j>() {
           constexpr int k = jet_index(N, unit_index(i) + unit_index(j));
           const T bend = T(i == j ? 0.5 : 1.0) * (bent[i] * w[j]);
@@ -120,8 +127,7 @@ Number r0_composed(const Number& a, const Number& b) {
 
 template <bool conjunction, class T, int N, int K>
 Jet<T, N, K> r0_function(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  constexpr bool is_number = std::is_floating_point_v<T> || std::is_same_v<T, Batch>;
-  if constexpr (!is_number || N < 1 || K < 0) {
+  if constexpr (!is_plain<T> || N < 1 || K < 0) {
     return r0_composed<conjunction>(a, b);
   } else {
     Jet<T, N, K> result;

@@ -5,29 +5,10 @@
 #include "core/jet.hpp"
 #include "core/jet_functions.hpp"
 #include "core/jet_piecewise.hpp"
+#include "core/jet_scaling.hpp"
 #include "core/r_bounds.hpp"
 
 namespace rfm {
-
-/// f(a, b) for a function of degree one, f(c a, c b) = c f(a, b), c > 0, to which arguments far
-/// from 1 in size are brought by a power of two: f(a, b) = c f(a / c, b / c), with the derivatives
-/// taken by x / c. So powers of the arguments neither overflow nor underflow. `function(a, b, m)`
-/// gives besides a number m, of which the value of f is its value + m S, S the argument nearer to
-/// zero, which may be too small to be scaled. Not for bounds.
-template <class T, int N, int K>
-Jet<T, N, K> of_degree_one(const Jet<T, N, K>& a, const Jet<T, N, K>& b, const auto& function) {
-  const T size = extreme_size(a.c[0], b.c[0]);
-  T of_smaller = T(0.0);
-  Jet<T, N, K> result;
-  if (any(less(size, T(1.0))) || any(less(T(1.0), size)))
-    result =
-        stretched(function(stretched(a, size), stretched(b, size), of_smaller), T(T(1.0) / size));
-  else
-    result = function(a, b, of_smaller);
-  const T smaller = select(farther_from_zero(a.c[0], b.c[0]), b.c[0], a.c[0]);
-  result.c[0] = result.c[0] + of_smaller * smaller;
-  return result;
-}
 
 /// The third side of a triangle, √(a² + b² − 2αab), −1 ≤ α ≤ 1, as |L| − ασS + w with L the
 /// argument that is farther from zero, σ its sign and S the other one, where

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/jet.hpp"
 #include "core/jet_functions.hpp"
+#include "core/jet_inverse_functions.hpp"
 #include "core/jet_piecewise.hpp"
 #include "core/jet_powers.hpp"
 #include "core/jet_r_functions.hpp"

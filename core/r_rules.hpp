@@ -91,12 +91,34 @@ Jet<T, N, K> absolute_power(const Jet<T, N, K>& a, int p) {
   return p % 2 == 0 ? integer_power(a, p) : p == 1 ? abs(a) : abs(a) * integer_power(a, p - 1);
 }
 
-/// The p-norm of two jets as |L| (1 + e), L the argument farther from zero and S the other one:
-/// e = (1 + |S/L|^p)^{1/p} − 1 ≥ 0, its value in a form that is accurate for small S/L. Only the
-/// quotient is raised to the power p. Not for bounds.
+/// (L^p + |S|^p)^{1/p} − L for L ≥ |S|, L > 0: of squares for even p, since the norm N of those and
+/// w satisfy w² + 2Lw = N − L²; else L ((1 + |S/L|^p)^{1/p} − 1), its value in a form that is
+/// accurate for small S/L. Not for bounds.
+template <class Number>
+Number norm_excess(const Number& larger, const Number& smaller, int p) {
+  using T = std::decay_t<decltype(larger.c[0])>;
+  using std::sqrt;
+  const T& size = larger.c[0];
+  if (p == 1) return abs(smaller);
+  if (p % 2 == 0) {
+    const Number rest = norm_excess(square(larger), square(smaller), p / 2);
+    const T value = rest.c[0] / (size + T(sqrt(size * size + rest.c[0])));
+    return quadratic_root(scaled(T(2.0), larger), rest, value);
+  }
+  const Number power = absolute_power(smaller / larger, p);
+  Number excess = root_of_degree(power + Number(1.0), p);
+  const T root = excess.c[0];
+  T sum = T(1.0);  // 1 + r + … + r^{p−1} = (r^p − 1) / (r − 1)
+  for (int k = 1; k < p; ++k) sum = sum * root + T(1.0);
+  excess.c[0] = power.c[0] / sum;
+  return excess * larger;
+}
+
+/// The p-norm of two jets as |L| + w, L the argument farther from zero, S the other one. Not for
+/// bounds.
 template <class Number>
 struct PNorm {
-  Number larger, smaller, size, excess;  ///< L, S, |L|, e
+  Number larger, smaller, size, excess;  ///< L, S, |L|, w; |L| is 1 where L = 0
   using T = std::decay_t<decltype(larger.c[0])>;
   using Mask = decltype(less(T(), T()));
   Mask positive, corner;  ///< L > 0, a = b = 0
@@ -106,20 +128,16 @@ struct PNorm {
     larger = select(first, a, b);
     smaller = select(first, b, a);
     positive = less(T(0.0), larger.c[0]);
-    size = select(positive, larger, -larger);
-    using std::abs;
-    corner = equal(T(size.c[0] + abs(smaller.c[0])), T(0.0));
-    const Number ratio = smaller / select(corner, Number(1.0), size);
-    const Number power = absolute_power(ratio, p);
-    excess = root_of_degree(power + Number(1.0), p);
-    const T root = excess.c[0];
-    T sum = T(1.0);  // 1 + r + … + r^{p−1} = (r^p − 1) / (r − 1)
-    for (int k = 1; k < p; ++k) sum = sum * root + T(1.0);
-    excess.c[0] = power.c[0] / sum;
+    corner = equal(larger.c[0], T(0.0));
+    size = select(corner, Number(1.0), select(positive, larger, -larger));
+    // Powers of the arguments to more than the fourth may overflow: of multiples near 1.
+    const T unit = p > 4 ? size.c[0] : T(1.0), inverse = T(1.0) / unit;
+    excess = p > 4 ? scaled(unit, norm_excess(scaled(inverse, size), scaled(inverse, smaller), p))
+                   : norm_excess(size, smaller, p);
   }
 };
 
-/// The Rp-conjunction a + b − (a^p + b^p)^{1/p}, p even: S − e|L| where L > 0, else S + 2L − e|L|.
+/// The Rp-conjunction a + b − (a^p + b^p)^{1/p}, p even: S − w where L > 0, else S + 2L − w.
 template <class T, int N, int K>
 Jet<T, N, K> rp_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p) {
   if constexpr (is_bound<T>) {
@@ -131,7 +149,7 @@ Jet<T, N, K> rp_conjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
     if (p == 2) return r0_conjunction(a, b);  // the same, with fewer roundings
     return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const PNorm norm(x, y, p);
-      const Jet<T, N, K> rest = norm.excess * norm.size;
+      const Jet<T, N, K>& rest = norm.excess;
       Jet<T, N, K> result =
           norm.smaller + select(norm.positive, -rest, scaled(T(2.0), norm.larger) - rest);
       result = select(norm.corner, x + y, result);
@@ -147,8 +165,8 @@ Jet<T, N, K> rp_disjunction(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
   return -rp_conjunction(-a, -b, p);
 }
 
-/// R-equivalence ab / (|a|^p + |b|^p)^{1/p} = ±S / (1 + e), eq. (5.3) of Shapiro (2007); 0 at a = b
-/// = 0, with derivatives 0 by convention.
+/// R-equivalence ab / (|a|^p + |b|^p)^{1/p} = ±S (1 − w / (|L| + w)), eq. (5.3) of Shapiro (2007);
+/// 0 at a = b = 0, with derivatives 0 by convention.
 template <class T, int N, int K>
 Jet<T, N, K> rp_equivalence(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p) {
   if constexpr (is_bound<T>) {
@@ -158,9 +176,10 @@ Jet<T, N, K> rp_equivalence(const Jet<T, N, K>& a, const Jet<T, N, K>& b, int p)
   } else {
     return of_degree_one(a, b, [p](const Jet<T, N, K>& x, const Jet<T, N, K>& y, T& of_smaller) {
       const PNorm norm(x, y, p);
-      const Jet<T, N, K> length = norm.excess + Jet<T, N, K>(1.0);
-      Jet<T, N, K> result = select(norm.positive, norm.smaller, -norm.smaller) / length;
-      of_smaller = select(norm.positive, T(T(1.0) / length.c[0]), T(T(-1.0) / length.c[0]));
+      const Jet<T, N, K> length = norm.size + norm.excess;
+      const Jet<T, N, K> smaller = select(norm.positive, norm.smaller, -norm.smaller);
+      Jet<T, N, K> result = smaller * (Jet<T, N, K>(1.0) - norm.excess / length);
+      of_smaller = norm.larger.c[0] / length.c[0];
       result.c[0] = T(0.0);
       return select(norm.corner, Jet<T, N, K>(), result);
     });

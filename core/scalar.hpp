@@ -13,6 +13,10 @@ namespace rfm {
 using Batch = std::experimental::native_simd<double>;
 using BatchMask = Batch::mask_type;
 
+/// Numbers, one or several at once, as opposed to bounds.
+template <class T>
+inline constexpr bool is_plain = std::floating_point<T> || std::same_as<T, Batch>;
+
 // The rules of jets are written once for every kind of number: double, Batch, Interval,
 // TaylorBound. What these do not share by name is brought together here: comparisons give a mask
 // (bool, a lane mask, a Truth), and `select(mask, yes, no)` chooses by it. The select of a Batch
@@ -40,8 +44,8 @@ inline double square(double a) { return a * a; }
 
 /// aᵉ as a plain number.
 inline double power(double a, double exponent) { return std::pow(a, exponent); }
-inline Batch power(const Batch& a, double exponent) {
-  return std::experimental::pow(a, Batch(exponent));
+inline Batch power(const Batch& a, const Batch& exponent) {
+  return std::experimental::pow(a, exponent);
 }
 
 /// The vector sine and cosine reduce their argument modulo π/2 with a quotient of 32 bits: beyond
@@ -93,18 +97,57 @@ inline Batch floored_remainder(const Batch& a, const Batch& b) {
   return Batch([&](auto lane) { return floored_remainder<double>(a[lane], b[lane]); });
 }
 
-/// A power of two near the larger of |a| and |b| where that is so far from 1 that its powers would
-/// overflow or underflow, else 1.
-inline double extreme_size(double a, double b) {
-  const double larger = std::max(std::fabs(a), std::fabs(b));
-  if ((larger > 0x1p-100 && larger < 0x1p100) || larger == 0 || !std::isfinite(larger)) return 1;
-  return std::ldexp(1.0, std::clamp(std::ilogb(larger), -1000, 1000));
+/// Whether 1/a is zero, not finite or has lost digits as a denormal.
+template <std::floating_point Real>
+bool has_no_reciprocal(Real a) {
+  return !(std::fabs(a) > 0x1p-1020 && std::fabs(a) < 0x1p1020);
 }
-inline Batch extreme_size(const Batch& a, const Batch& b) {
-  const Batch larger = std::experimental::max(std::experimental::abs(a), std::experimental::abs(b));
-  const BatchMask usual = larger > Batch(0x1p-100) && larger < Batch(0x1p100);
-  if (std::experimental::all_of(usual || larger == Batch(0.0))) return 1.0;
-  return Batch([&](auto lane) { return extreme_size(double(a[lane]), double(b[lane])); });
+inline BatchMask has_no_reciprocal(const Batch& a) {
+  const Batch size = std::experimental::abs(a);
+  return !(size > Batch(0x1p-1020) && size < Batch(0x1p1020));
+}
+template <std::floating_point Real>
+bool is_infinite(Real a) {
+  return std::isinf(a);
+}
+inline BatchMask is_infinite(const Batch& a) { return std::experimental::isinf(a); }
+/// Whether a, positive and finite, is so far from 1 that its powers would overflow or underflow.
+template <std::floating_point Real>
+bool is_far_from_one(Real a) {
+  return (a > 0 && a < 0x1p-100) || (a > 0x1p100 && std::isfinite(a));
+}
+inline BatchMask is_far_from_one(const Batch& a) {
+  return (a > Batch(0.0) && a < Batch(0x1p-100)) ||
+         (a > Batch(0x1p100) && a < Batch(std::numeric_limits<double>::infinity()));
+}
+/// The largest e with 2^e ≤ |a|, −∞ for zero and for what is not finite.
+template <std::floating_point Real>
+Real binary_exponent(Real a) {
+  return a == 0 || !std::isfinite(a) ? -std::numeric_limits<Real>::infinity()
+                                     : static_cast<Real>(std::ilogb(a));
+}
+inline Batch binary_exponent(const Batch& a) {
+  return Batch([&](auto lane) { return binary_exponent<double>(a[lane]); });
+}
+/// a b = whole + part, of which the first is a whole number and the second not far from its part of
+/// the product before it is rounded, for whole numbers a.
+inline double whole_of_product(double a, double b) { return std::nearbyint(a * b); }
+inline double part_of_product(double a, double b) {
+  return (a * b - whole_of_product(a, b)) + std::fma(a, b, -(a * b));
+}
+inline Batch whole_of_product(const Batch& a, double b) {
+  return Batch([&](auto lane) { return whole_of_product(a[lane], b); });
+}
+inline Batch part_of_product(const Batch& a, double b) {
+  return Batch([&](auto lane) { return part_of_product(a[lane], b); });
+}
+/// 2^e a, rounded once, e a whole number.
+template <std::floating_point Real>
+Real times_power_of_two(Real a, Real e) {
+  return std::ldexp(a, static_cast<int>(std::clamp<Real>(e, -100000, 100000)));
+}
+inline Batch times_power_of_two(const Batch& a, const Batch& e) {
+  return Batch([&](auto lane) { return times_power_of_two<double>(a[lane], e[lane]); });
 }
 
 /// √(1 + a²), also where the square overflows.

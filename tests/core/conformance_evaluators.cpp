@@ -18,6 +18,8 @@ Field variable(int axis) {
   return axis < 3 ? coordinate(axis) : further_coordinate(fourth_variable);
 }
 
+bool is_own(const ArgumentShape& shape) { return shape.kind == ArgumentShape::Kind::own; }
+
 Variables variables_of(const ArgumentShape& shape) {
   std::vector<int> numbers{0, 1, 2, fourth_variable};
   numbers.resize(shape.variables);
@@ -31,15 +33,18 @@ Field operation_of(const Row& row, std::vector<Field> arguments) {
                entry.numbers ? std::optional<double>(row.number) : std::nullopt);
 }
 
-// The operation of coordinates, or of held values plus polynomials of which the variables are 0.
+// The operation of coordinates, or of held values plus or times polynomials of which the variables
+// are 0.
 Field field_of(const Row& row, const ArgumentShape& shape) {
   std::vector<Field> arguments;
   for (int i = 0; i < 3; ++i) {
-    if (shape.is_own && i < shape.variables) {
+    if (is_own(shape) && i < shape.variables) {
       arguments.push_back(variable(i));
       continue;
     }
-    Field argument = further_coordinate(first_held + i);
+    const Field held = further_coordinate(first_held + i);
+    const bool is_factor = shape.kind == ArgumentShape::Kind::proportional;
+    Field argument = is_factor ? Field(1.0) : held;
     for (int k = 1; k < jet_size(shape.variables, std::min(shape.order, 2)); ++k) {
       const MultiIndex alpha = JetShape::get(shape.variables, 2).exponent(k);
       Field term = shape.coefficients[i][k];
@@ -47,7 +52,7 @@ Field field_of(const Row& row, const ArgumentShape& shape) {
         term = term * pow(variable(axis), alpha[axis]);
       argument = argument + term;
     }
-    arguments.push_back(argument);
+    arguments.push_back(is_factor ? held * argument : argument);
   }
   return operation_of(row, arguments);
 }
@@ -61,7 +66,7 @@ struct Place {
 Place place_of(const ArgumentShape& shape, const Arguments& arguments) {
   Place place;
   for (int i = 0; i < 3; ++i) {
-    if (shape.is_own && i < shape.variables) place.point[i] = arguments[i];
+    if (is_own(shape) && i < shape.variables) place.point[i] = arguments[i];
     place.further[i] = arguments[i];
   }
   return place;
@@ -177,7 +182,7 @@ Jets by_slots(const Row& row, const ArgumentShape& shape, const std::vector<Argu
 bool always(const Row&, const ArgumentShape&) { return true; }
 
 bool is_natural(const Row& row, const ArgumentShape& shape) {
-  return shape.is_own && shape.variables == find_operation(row.operation)->arity;
+  return is_own(shape) && shape.variables == find_operation(row.operation)->arity;
 }
 
 }  // namespace
@@ -190,7 +195,7 @@ const std::vector<Evaluator>& all_evaluators() {
       {"single points", always, at_single_points},
       {"blocks", always, in_blocks},
       {"specialised tapes",
-       [](const Row&, const ArgumentShape& shape) { return shape.is_own && shape.variables <= 3; },
+       [](const Row&, const ArgumentShape& shape) { return is_own(shape) && shape.variables <= 3; },
        specialised_to_points},
       {"point programs", has_program, by_point_programs},
       {"slopes of point programs", has_program, by_slopes_of_point_programs},

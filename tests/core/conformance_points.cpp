@@ -92,4 +92,18 @@ std::vector<Arguments> nasty_arguments(int arity, int count, std::mt19937_64& ge
   return points;
 }
 
+std::vector<Arguments> arguments_of_every_size(int arity, int count, std::mt19937_64& generator) {
+  std::vector<Arguments> points = nasty_arguments(arity, (count + 1) / 2, generator);
+  std::uniform_real_distribution<double> uniform(-3, 3), exponent(-300, 300);
+  const auto any_size = [&] {
+    return (generator() % 4 ? 1 : -1) * std::pow(10, exponent(generator));
+  };
+  while (static_cast<int>(points.size()) < count) {
+    Arguments at{any_size(), any_size(), any_size()};
+    if (generator() % 4 != 0) at[1] = at[0] * uniform(generator);
+    points.push_back(at);
+  }
+  return points;
+}
+
 }  // namespace rfm

@@ -17,4 +17,7 @@ std::vector<Row> conformance_rows();
 /// until all special numbers are in.
 std::vector<Arguments> nasty_arguments(int arity, int count, std::mt19937_64& generator);
 
+/// Half of them nasty, the others of every size from 1e-300 to 1e300, often alike in it.
+std::vector<Arguments> arguments_of_every_size(int arity, int count, std::mt19937_64& generator);
+
 }  // namespace rfm

@@ -1,4 +1,5 @@
 #include "core/jet.hpp"
+#include "core/jet_inverse_functions.hpp"
 #include "core/jet_piecewise.hpp"
 #include "core/jet_powers.hpp"
 #include "core/jet_r_functions.hpp"

@@ -24,9 +24,13 @@ inline long double nan_where_nan(long double value, long double argument) {
 }
 inline bool less_or_nan(long double a, long double b) { return a < b || std::isnan(a); }
 inline bool greater_or_nan(long double a, long double b) { return a > b || std::isnan(a); }
-inline long double extreme_size(long double, long double) { return 1; }
+inline long double power(long double a, long double exponent) { return std::pow(a, exponent); }
 inline long double power(long double a, double exponent) {
-  return std::pow(a, static_cast<long double>(exponent));
+  return power(a, static_cast<long double>(exponent));
+}
+inline long double whole_of_product(long double a, double b) { return std::nearbyint(a * b); }
+inline long double part_of_product(long double a, double b) {
+  return a * b - whole_of_product(a, b);
 }
 }  // namespace rfm
 

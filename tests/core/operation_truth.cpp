@@ -111,7 +111,7 @@ OperationTruth truth_of(const Row& row, const std::array<double, 3>& arguments, 
 }
 
 ArgumentShape ArgumentShape::own(int variables, int order) {
-  ArgumentShape shape{variables, order, {}, true};
+  ArgumentShape shape{variables, order, Kind::own, {}};
   for (int i = 0; i < 3; ++i) {
     shape.coefficients[i].assign(jet_size(variables, order), 0);
     if (i < variables && order > 0) shape.coefficients[i][1 + i] = 1;
@@ -121,7 +121,7 @@ ArgumentShape ArgumentShape::own(int variables, int order) {
 
 ArgumentShape ArgumentShape::mixed(int variables, int order) {
   ArgumentShape shape = own(variables, order);
-  shape.is_own = false;
+  shape.kind = Kind::mixed;
   const double linear[3][4] = {{1, -2, 0.5, 1}, {0.5, 1, -1, 2}, {-1, 0.5, 1, -0.5}};
   const double bent[3] = {0.5, -1, 2};
   for (int i = 0; i < 3; ++i)
@@ -134,8 +134,26 @@ ArgumentShape ArgumentShape::mixed(int variables, int order) {
   return shape;
 }
 
+ArgumentShape ArgumentShape::proportional(int variables, int order) {
+  ArgumentShape shape = own(variables, order);
+  shape.kind = Kind::proportional;
+  const double linear[3][4] = {{1, -2, 1, 1}, {-1, 1, 2, 1}, {2, 1, -1, -1}};
+  const double bent[3] = {1, -1, 2};
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < variables; ++axis) {
+      std::vector<double>& c = shape.coefficients[i];
+      if (order > 0) c[1 + axis] = linear[i][axis];
+      if (order > 1) c[jet_index(variables, unit_index(axis) + unit_index(0))] = bent[i];
+    }
+  return shape;
+}
+
 Composition::Composition(const ArgumentShape& shape, int arity)
-    : variables_(shape.variables), size_(jet_size(shape.variables, shape.order)) {
+    : kind_(shape.kind),
+      variables_(shape.variables),
+      order_(shape.order),
+      arity_(arity),
+      size_(jet_size(shape.variables, shape.order)) {
   const JetShape& outer = JetShape::get(arity, shape.order);
   const JetShape& inner = JetShape::get(shape.variables, shape.order);
   std::array<std::vector<double>, 3> sizes = shape.coefficients;
@@ -154,7 +172,57 @@ Composition::Composition(const ArgumentShape& shape, int arity)
   }
 }
 
-std::vector<Expected> Composition::operator()(const OperationTruth& truth) const {
+double largest_of(const std::array<double, 3>& arguments, int arity) {
+  double largest = 0;
+  for (int i = 0; i < arity; ++i) largest = std::max(largest, std::fabs(arguments[i]));
+  return largest;
+}
+
+// f = Σ aᵢ ∂ᵢf, for several arguments.
+bool is_of_degree_one(const OperationTruth& truth, const std::array<double, 3>& arguments) {
+  if (truth.arity == 1 || truth.order == 0) return false;
+  long double rest = truth.coefficients[0];
+  for (int i = 0; i < truth.arity; ++i) rest -= arguments[i] * truth.coefficients[1 + i];
+  return std::fabs(rest) <= 1e-15L * std::fabs(truth.coefficients[0]);
+}
+
+std::vector<Expected> Composition::of_proportional(const OperationTruth& truth,
+                                                   const std::array<double, 3>& arguments) const {
+  constexpr long double least = std::numeric_limits<double>::min();
+  const JetShape& outer = JetShape::get(arity_, order_);
+  std::vector<Expected> expected(size_);
+  for (std::size_t alpha = 0; alpha < monomials_.size(); ++alpha) {
+    long double factor = 1, size = 1;
+    for (int axis = 0; axis < arity_; ++axis)
+      for (int k = 0; k < outer.exponent(static_cast<int>(alpha))[axis]; ++k) {
+        factor *= arguments[axis];
+        size *= std::max(std::fabs(static_cast<long double>(arguments[axis])), least);
+      }
+    for (int i = 0; i < size_; ++i) {
+      if (majorants_[alpha][i] == 0) continue;
+      if (factor != 0)
+        expected[i].value += truth.coefficients[alpha] * factor * monomials_[alpha][i];
+      expected[i].condition += truth.weights[alpha] * size * majorants_[alpha][i];
+      expected[i].least += least * majorants_[alpha][i];
+      expected[i].is_known = expected[i].is_known && truth.is_known[alpha];
+    }
+  }
+  if (is_of_degree_one(truth, arguments))
+    for (Expected& coefficient : expected)
+      coefficient.least *= std::max(1.0, largest_of(arguments, arity_));
+  bool overflows = false;
+  for (int i = 0; i < size_; ++i) {
+    overflows = overflows || !(expected[i].condition < std::numeric_limits<double>::max());
+    for (int k = i; k < size_ && jet_degree(variables_, k) == jet_degree(variables_, i); ++k)
+      overflows = overflows || !(expected[k].condition < std::numeric_limits<double>::max());
+    expected[i].overflows = overflows;
+  }
+  return expected;
+}
+
+std::vector<Expected> Composition::operator()(const OperationTruth& truth,
+                                              const std::array<double, 3>& arguments) const {
+  if (kind_ == ArgumentShape::Kind::proportional) return of_proportional(truth, arguments);
   std::vector<Expected> expected(size_);
   for (std::size_t alpha = 0; alpha < monomials_.size(); ++alpha)
     for (int i = 0; i < size_; ++i) {

@@ -29,14 +29,19 @@ OperationTruth truth_of(const Row& row, const std::array<double, 3>& arguments, 
 /// The arguments of an operation as functions of N variables about a point: constant coefficients
 /// are the values, these are the others, exact in double precision, up to an order.
 struct ArgumentShape {
+  enum class Kind { own, mixed, proportional };
   int variables, order;
+  Kind kind;
   std::array<std::vector<double>, 3> coefficients;
-  bool is_own = false;
 
   /// a = x, b = y, c = z: the Taylor coefficients are those of the operation itself.
   static ArgumentShape own(int variables, int order);
   /// Polynomials in all variables, of second degree.
   static ArgumentShape mixed(int variables, int order);
+  /// The values of the arguments times such polynomials, whose value is 1: as functions whose scale
+  /// is arbitrary, or exponential ones. The other coefficients are given as multiples of the value,
+  /// which are whole numbers.
+  static ArgumentShape proportional(int variables, int order);
 };
 
 /// A Taylor coefficient of f(a(x), b(x), c(x)) and its condition, the same sum with the weights and
@@ -51,6 +56,12 @@ struct ArgumentShape {
 /// arguments, which are composed of others, times |a|^±|β| for each argument. Where an f_α with |α|
 /// ≤ |β| or that power overflows "not finite" is a right answer for F_β, but a wrong number never
 /// is.
+///
+/// Of arguments a₀ (1 + e) the sums are those of f_α a₀^α and of w_α |a₀|^α with the monomials of
+/// e, which are of one size whatever that of a₀ is. The smallest normal number is what each of
+/// these products may be wrong by, of functions of degree one, f(c a, c b) = c f(a, b), in units of
+/// the largest argument, to which the others are scaled; |a₀| counts as no smaller than it. "Not
+/// finite" is right only where C_β overflows.
 struct Expected {
   long double value = 0, condition = 0;
   long double least = 0;  ///< absolute error that is admitted besides
@@ -59,10 +70,15 @@ struct Expected {
 class Composition {
  public:
   Composition(const ArgumentShape& shape, int arity);
-  std::vector<Expected> operator()(const OperationTruth& truth) const;
+  std::vector<Expected> operator()(const OperationTruth& truth,
+                                   const std::array<double, 3>& arguments) const;
 
  private:
-  int variables_, size_;
+  std::vector<Expected> of_proportional(const OperationTruth& truth,
+                                        const std::array<double, 3>& arguments) const;
+
+  ArgumentShape::Kind kind_;
+  int variables_, order_, arity_, size_;
   // For each α the coefficients of its monomial in the increments of the arguments, and those of
   // their absolute values.
   std::vector<std::vector<double>> monomials_, majorants_;
