@@ -25,6 +25,10 @@ class PhysicsReader {
     if (type && type->text == "custom") {
       physics_.type = PhysicsType::custom;
       physics_.custom = read_custom(map, values_, physics_.unknowns);
+      if (const DocumentNode* materials = values_.find(map, "materials"))
+        values_.mistakes.add(
+            "custom physics have no materials: choose in the formula, as in if(step(x), 2, 1)",
+            materials->place);
       return;
     }
     physics_.type = type && type->text == "heat" ? PhysicsType::heat : PhysicsType::poisson;
