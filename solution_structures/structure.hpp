@@ -70,6 +70,7 @@ class Structure {
   friend Structure operator*(const Field& factor, const Structure& structure);
   friend Structure operator/(const Structure& structure, const Field& divisor);
   friend Structure partial(const Structure& structure, int axis);
+  /// `yes` where `condition` ≠ 0, else `no`; the other branch is not looked at.
   friend Structure select(const Field& condition, const Structure& yes, const Structure& no);
 
  private:
@@ -90,8 +91,6 @@ Structure partial(const Structure& structure, const MultiIndex& alpha);
 std::vector<Structure> gradient(const Structure& structure, int dimension);
 /// ∇ω · ∇u.
 Structure D(const Field& omega, const Structure& structure, int dimension);
-/// `yes` where `condition` ≠ 0, else `no`; the other branch is not looked at.
-Structure select(const Field& condition, const Structure& yes, const Structure& no);
 
 /// f*(x) = f(x − ω∇ω) (core/composition.hpp) as a part of structures, written `normalizer(f, ω)`.
 Structure normalized(const Field& f, const Field& omega, int dimension);
