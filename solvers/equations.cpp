@@ -2,6 +2,7 @@
 
 #include "solvers/assembly.hpp"
 #include "solvers/solution.hpp"
+#include "solvers/space_field.hpp"
 
 namespace rfm {
 
@@ -12,13 +13,23 @@ Equations::Equations(std::vector<Structure> structures, std::vector<TensorProduc
       terms_(std::move(terms)),
       rule_(rule) {}
 
+Equations::Equations(std::vector<Structure> structures, GlobalSpaces spaces, EquationTerms terms,
+                     const DomainRule& rule)
+    : structures_(std::move(structures)),
+      global_spaces_(std::move(spaces)),
+      terms_(std::move(terms)),
+      rule_(rule) {}
+
 int Equations::size() const {
   int size = 0;
+  for (const auto& space : global_spaces_) size += space->size();
   for (const TensorProductSpace& space : spaces_) size += space.size();
   return size;
 }
 
 LinearSystem Equations::assembled(std::span<const Contribution> terms, double time) const {
+  if (!global_spaces_.empty())
+    return assemble_dense(structures_, global_spaces_, terms, rule_, {time, {}});
   return assemble(structures_, spaces_, terms, rule_, {time, {}});
 }
 
@@ -47,7 +58,18 @@ Eigen::VectorXd Equations::residual(const Eigen::VectorXd& coefficients, double 
 }
 
 std::vector<Field> Equations::fields(const Eigen::VectorXd& coefficients) const {
-  return solution_fields(structures_, spaces_, coefficients);
+  if (global_spaces_.empty()) return solution_fields(structures_, spaces_, coefficients);
+  std::vector<Field> functions;
+  const double* own = coefficients.data();
+  for (const auto& space : global_spaces_) {
+    functions.push_back(
+        field(std::make_shared<SpaceField>(space, std::vector<double>(own, own + space->size()))));
+    own += space->size();
+  }
+  std::vector<Field> solutions;
+  for (const Structure& structure : structures_)
+    solutions.push_back(solution_field(structure, functions));
+  return solutions;
 }
 
 Structure homogeneous_part(const Structure& structure) {

@@ -8,6 +8,7 @@
 #include "core/field.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/dense_assembly.hpp"
 #include "solvers/field_arguments.hpp"
 #include "solvers/integrand.hpp"
 #include "solvers/linear_system.hpp"
@@ -37,9 +38,13 @@ class Equations {
   /// `structures[c]` is component c of the solution, `spaces[k]` holds undetermined function k.
   Equations(std::vector<Structure> structures, std::vector<TensorProductSpace> spaces,
             EquationTerms terms, const DomainRule& rule);
+  /// The same with functions that live on the whole domain.
+  Equations(std::vector<Structure> structures, GlobalSpaces spaces, EquationTerms terms,
+            const DomainRule& rule);
 
   int size() const;
   const std::vector<Structure>& structures() const { return structures_; }
+  /// The spaces of splines; none where functions are global.
   const std::vector<TensorProductSpace>& spaces() const { return spaces_; }
   const EquationTerms& terms() const { return terms_; }
   const DomainRule& rule() const { return rule_; }
@@ -55,14 +60,15 @@ class Equations {
   Eigen::VectorXd load(double time) const;
   /// K c − f(t), whose derivative with respect to c is `stiffness()`.
   Eigen::VectorXd residual(const Eigen::VectorXd& coefficients, double time) const;
+  /// The sum of terms at a time, as a system in the coefficients.
+  LinearSystem assembled(std::span<const Contribution> terms, double time = 0) const;
   /// The solution with these coefficients, one field per component.
   std::vector<Field> fields(const Eigen::VectorXd& coefficients) const;
 
  private:
-  LinearSystem assembled(std::span<const Contribution> terms, double time) const;
-
   std::vector<Structure> structures_;
   std::vector<TensorProductSpace> spaces_;
+  GlobalSpaces global_spaces_;
   EquationTerms terms_;
   const DomainRule& rule_;
   mutable std::optional<LinearSystem> steady_;
