@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "problems/described_solids.hpp"
 #include "problems/distance_quality.hpp"
 #include "problems/geometric_relations.hpp"
 #include "problems/pictures/check_picture.hpp"
@@ -117,6 +118,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   log.line("measure of the domain {:.12g}, of its boundary {:.12g}", rule.measure(),
            rule.boundary_measure());
   log_accuracy(rule, log);
+  for (const auto& [shape, solid] : problem.described)
+    for (const std::string& line : description_lines(shape, solid)) log.line("{}", line);
   log_corners(scalar, log);
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}{}, measure {:.12g}", condition.name,

@@ -1,5 +1,5 @@
-// Shapes made of other shapes: extrusions and revolutions of plane profiles, similarities; and of
-// coefficients.
+// Shapes made of other shapes: extrusions and revolutions of plane profiles, similarities; of the
+// sets around them; and of coefficients.
 
 #include <cmath>
 #include <numbers>
@@ -7,6 +7,7 @@
 #include "core/mapped_region.hpp"
 #include "core/primitives.hpp"
 #include "core/profile_bodies.hpp"
+#include "problems/described_solids.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/shape_reader.hpp"
 
@@ -18,12 +19,13 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 // The region with the names of its sides as they are within the shape `of`: `left` for `of.left`.
 // The name of a shape without sides is kept if `keep_plain`.
 Region with_own_names(const Region& region, const std::string& of, bool keep_plain) {
-  return mapped_region(region, [&](const Primitive& primitive) {
+  const Region result = mapped_region(region, [&](const Primitive& primitive) {
     Primitive renamed = primitive;
     if (renamed.name == of && !keep_plain) renamed.name.clear();
     if (renamed.name.starts_with(of + ".")) renamed.name.erase(0, of.size() + 1);
     return MappedPrimitive(Region(std::move(renamed), region.dimension()));
   });
+  return region.enclosure() ? result.within(*region.enclosure()) : result;
 }
 
 }  // namespace
@@ -114,6 +116,14 @@ Region ShapeReader::build_quadric(const DocumentNode& node) {
     values_.mistakes.add(mistake.what(), node.place);
     return stand_in_shape(dimension);
   }
+}
+
+Region ShapeReader::build_enclosed(const DocumentNode& list) {
+  const auto solid = read_described_solid(list, values_, sets_);
+  if (!solid) return stand_in_shape(values_.dimension);
+  add_sides(solid->sides);
+  described_.emplace(building_.back(), *solid);
+  return solid->region;
 }
 
 Region ShapeReader::build_transform(const DocumentNode& node) {

@@ -111,7 +111,7 @@ class ProbeReader {
     const std::string& name = over.text;
     if (name == "domain") return;
     if (const auto set = sets_.find(name); set != sets_.end()) {
-      if (!set->second.surface && set->second.points.size() != 2)
+      if (set->second.points.size() == 1)
         throw InputError("'" + name + "' is a point: use a probe with 'point'", 0, name.size());
       probe.over = Probe::Over::set;
       probe.set = set->second;

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/expression.hpp"
+#include "core/part_ends.hpp"
 #include "core/region.hpp"
+#include "core/separators.hpp"
 #include "core/thin_set.hpp"
 #include "core/weight.hpp"
 #include "problems/document.hpp"
@@ -67,8 +69,8 @@ struct BoundaryTarget {
   /// Of a region that geometry chooses (by a normal, a shape or a surface): the part of each piece
   /// of which it holds not all. Which of its pieces hold any of it, their measures tell.
   std::map<std::string, Field> parts;
-  /// Smooth functions, one of which is zero wherever one of the parts ends.
-  std::vector<Field> ends;
+  /// Where the parts end.
+  std::vector<PartEnds> ends;
   bool chosen_by_geometry = false;
   Place place;
 
@@ -244,6 +246,8 @@ struct Problem {
 
   std::map<std::string, Region> shapes;
   std::map<std::string, ThinSet> sets;
+  /// Shapes given by the sets that their boundaries are made of.
+  std::map<std::string, DescribedSolid> described;
   std::optional<Region> domain;  ///< never empty in a problem that was read
   WeightOptions combine;
   std::optional<Box> bounds;

@@ -43,6 +43,7 @@ void read_geometry(const DocumentNode& root, ValueReader& values, ShapeReader& s
   shapes.read_all();
   problem.shapes = shapes.shapes();
   problem.domain = shapes.domain();
+  problem.described = shapes.described();
   const DocumentNode* geometry = values.find(root, "geometry");
   if (!geometry) return;
   if (const DocumentNode* bounds = values.find(*geometry, "bounds"))

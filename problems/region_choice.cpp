@@ -4,6 +4,9 @@
 #include <numbers>
 
 #include "core/boundary_part.hpp"
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "core/neighbourhood.hpp"
 #include "problems/stl_reader.hpp"
 
 namespace rfm {
@@ -21,7 +24,7 @@ void choose(const Region& domain, const Choice& part_of, BoundaryTarget& target)
     target.pieces.push_back(primitive.name);
     if (part.extent == BoundaryPart::Extent::all) continue;
     target.parts.emplace(primitive.name, part.where);
-    target.ends.insert(target.ends.end(), part.ends.begin(), part.ends.end());
+    if (!part.ends.empty()) target.ends.push_back({part.ends});
   }
 }
 
@@ -30,6 +33,34 @@ void refuse_empty(const BoundaryTarget& region, const DocumentNode& node, ValueR
     values.mistakes.add("the region '" + region.name + "' is empty: no part of the boundary " +
                             (node.is_list() ? "has this normal" : "touches '" + node.text + "'"),
                         node.place);
+}
+
+// What lies within a distance of a point, a set or the triangles of an STL file.
+std::optional<Neighbourhood> read_neighbourhood(const DocumentNode& near, double distance,
+                                                ValueReader& values, ShapeReader& shapes,
+                                                const std::string& folder) {
+  if (near.is_list()) {
+    const auto point = values.point(near);
+    return point ? std::optional(neighbourhood(point_set(*point, values.dimension), distance))
+                 : std::nullopt;
+  }
+  return values.guarded<Neighbourhood>(near, [&] {
+    if (const ThinSet* set = shapes.set(near.text)) {
+      try {
+        return neighbourhood(*set, distance);
+      } catch (const InvalidArgument& error) {
+        throw InputError(error.what(), 0, near.text.size());
+      }
+    }
+    if (near.text.find('.') == std::string::npos)
+      throw InputError("unknown set '" + near.text + "'" +
+                           did_you_mean(near.text, shapes.set_names()) +
+                           "; expected a point, a set or an STL file",
+                       0, near.text.size());
+    if (values.dimension < 3)
+      throw InputError("an STL file is a surface in space", 0, near.text.size());
+    return neighbourhood(read_stl(folder, near.text), distance);
+  });
 }
 
 }  // namespace
@@ -49,21 +80,18 @@ void read_chosen_by_geometry(const DocumentNode& map, ValueReader& values, Shape
     refuse_empty(region, *touching, values);
   }
   if (const DocumentNode* near = values.find(map, "near")) {
-    const auto triangles =
-        values.guarded<std::vector<Triangle>>(*near, [&] { return read_stl(folder, near->text); });
     const DocumentNode* within = values.find(map, "within");
     const std::optional<double> distance = within ? values.number(*within) : std::nullopt;
-    if (!triangles || !distance || !domain) return;
-    const Field square = field(std::make_shared<const MeshSquareDistance>(*triangles));
-    // Quadrature is not split where the region ends: isolating that surface among the sheets of a
-    // mesh costs minutes.
-    const Field where = *distance * *distance - square;
+    if (!distance || !domain) return;
+    const auto around = read_neighbourhood(*near, *distance, values, shapes, folder);
+    if (!around) return;
     choose(
         *domain,
         [&](int, const RegionEvaluator&) {
-          return BoundaryPart{BoundaryPart::Extent::some, where, {}};
+          return BoundaryPart{BoundaryPart::Extent::some, around->where, {}};
         },
         region);
+    region.ends.push_back(around->ends);
   }
   if (const DocumentNode* normal = values.find(map, "normal")) {
     const std::optional<Point> direction = values.point(*normal);

@@ -7,8 +7,8 @@
 namespace rfm {
 
 /// Reads a region that geometry chooses among all pieces of the boundary: `{touching: shape}`,
-/// `{normal: direction, within: degrees}`, `{near: file, within: length}` with an STL file in
-/// `folder`. Pieces of which it certainly holds nothing are left out;
+/// `{normal: direction, within: degrees}`, `{near: what, within: length}` with a point, a set or an
+/// STL file in `folder`. Pieces of which it certainly holds nothing are left out;
 /// a region without any is a mistake.
 void read_chosen_by_geometry(const DocumentNode& map, ValueReader& values, ShapeReader& shapes,
                              const std::string& folder, BoundaryTarget& region);

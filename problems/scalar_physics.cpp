@@ -83,44 +83,6 @@ bool depend_on_solution(const ScalarCoefficients& coefficients) {
          std::ranges::any_of(coefficients.advection, has_symbols);
 }
 
-namespace {
-
-// Where the parts of a target end; several pieces have ends in common.
-void add_ends(const BoundaryTarget& target, int dimension, std::vector<LevelFunction>& interfaces) {
-  if (target.where) interfaces.emplace_back(*target.where, dimension);
-  for (std::size_t i = 0; i < target.ends.size(); ++i) {
-    const Field& end = target.ends[i];
-    const auto earlier = target.ends.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::none_of(target.ends.begin(), earlier,
-                     [&](const Field& other) { return other.same_as(end); }))
-      interfaces.emplace_back(end, dimension);
-  }
-}
-
-}  // namespace
-
-std::vector<LevelFunction> coefficient_interfaces(const Problem& problem) {
-  std::vector<LevelFunction> interfaces;
-  for (const Material& material : problem.physics.materials)
-    if (material.region)
-      for (const auto& primitive : material.region->primitives())
-        interfaces.emplace_back(primitive->level, problem.dimension);
-  for (const Probe& probe : problem.probes) {
-    if (probe.region)
-      for (const auto& primitive : probe.region->primitives())
-        interfaces.emplace_back(primitive->level, problem.dimension);
-    if (probe.boundary) add_ends(*probe.boundary, problem.dimension, interfaces);
-  }
-  for (const Condition& condition : problem.conditions)
-    for (const BoundaryTarget& target : condition.targets)
-      add_ends(target, problem.dimension, interfaces);
-  if (problem.physics.custom)
-    for (const CustomPhysics::BoundaryForm& form : problem.physics.custom->boundary)
-      for (const BoundaryTarget& target : form.targets)
-        add_ends(target, problem.dimension, interfaces);
-  return interfaces;
-}
-
 std::vector<Field> conductive_flux(const ScalarCoefficients& coefficients, const Field& f,
                                    int dimension) {
   std::vector<Field> flux(dimension, 0.0);

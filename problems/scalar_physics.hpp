@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "core/level_function.hpp"
 #include "problems/boundary_conditions.hpp"
 #include "problems/problem.hpp"
 #include "solvers/integrand.hpp"
@@ -26,10 +25,6 @@ ScalarCoefficients scalar_coefficients(const Problem& problem);
 
 /// Whether K is a multiple of the unit matrix.
 bool is_isotropic(const ScalarCoefficients& coefficients, int dimension);
-
-/// Functions across whose zeros coefficients, conditions or the sets of probes jump: quadrature
-/// splits cells there.
-std::vector<LevelFunction> coefficient_interfaces(const Problem& problem);
 
 /// K ∇f.
 std::vector<Field> conductive_flux(const ScalarCoefficients& coefficients, const Field& f,

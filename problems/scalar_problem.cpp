@@ -111,7 +111,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
     : problem_(problem),
       region_(*problem.domain),
       bounds_(problem_bounds(problem, region_)),
-      interfaces_(coefficient_interfaces(problem)),
+      interfaces_(problem),
       coefficients_(problem.physics.custom ? ScalarCoefficients{} : scalar_coefficients(problem)) {
   check_method(problem);
   // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
@@ -119,7 +119,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   QuadratureOptions coarse;
   coarse.inside_points = 1;
   coarse.cut_points = 2;
-  const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_);
+  const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_.all());
   if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
   for (int k = 0; k < region_.primitive_count(); ++k)
     if (!region_.region().primitives()[k]->selects_only &&
@@ -197,7 +197,7 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
   options.gradings = problem_.discretization.gradings;
   options.inside_points += more_points;
   options.cut_points += more_points;
-  return make_domain_rule(region, grid, options, interfaces_);
+  return make_domain_rule(region, grid, options, interfaces_.all());
 }
 
 std::vector<TensorProductSpace> ScalarProblem::spaces(const DomainRule& rule) const {
@@ -217,7 +217,7 @@ DomainRule ScalarProblem::collocation_rule(const Grid& grid) const {
   options.inside_points = std::max(2, problem_.discretization.degree - 1);
   options.cut_points = std::max(2, problem_.discretization.degree);
   options.gradings = problem_.discretization.gradings;
-  return make_domain_rule(region_, grid, options, interfaces_);
+  return make_domain_rule(region_, grid, options, interfaces_.all());
 }
 
 std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {

@@ -9,6 +9,7 @@
 #include "core/bounding_box.hpp"
 #include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
+#include "problems/problem_interfaces.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
 #include "quadrature/domain_rule.hpp"
@@ -111,7 +112,7 @@ class ScalarProblem {
   const Problem& problem_;
   RegionEvaluator region_;
   Box bounds_;
-  std::vector<LevelFunction> interfaces_;
+  ProblemInterfaces interfaces_;
   ScalarCoefficients coefficients_;
   std::vector<int> bounding_primitives_;
   std::vector<PieceCondition> conditions_;

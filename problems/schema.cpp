@@ -136,8 +136,8 @@ SchemaKey build() {
   SchemaKey root;
   root.doc = "A problem file.";
   TreeBuilder builder(root);
-  for (const auto rows :
-       {document_rows(), geometry_rows(), condition_rows(), physics_rows(), run_rows()})
+  for (const auto rows : {document_rows(), shape_rows(), geometry_rows(), condition_rows(),
+                          physics_rows(), run_rows()})
     for (const SchemaRow& row : rows) builder.add(row);
   extend_coefficients(*find_key(root, "physics"));
   extend_profiles(*find_key(root, "geometry"));

@@ -71,6 +71,7 @@ struct SchemaRow {
 
 /// The table, by subject.
 std::span<const SchemaRow> document_rows();
+std::span<const SchemaRow> shape_rows();
 std::span<const SchemaRow> geometry_rows();
 std::span<const SchemaRow> condition_rows();
 std::span<const SchemaRow> physics_rows();

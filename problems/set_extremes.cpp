@@ -103,7 +103,18 @@ class SetMaximum {
 
 Extreme maximum_over_set(const Field& f, const ThinSet& set, const ScalarProblem& problem,
                          const Grid& grid) {
-  return SetMaximum(f, set, problem, grid).run(points_of_set(set, problem, grid));
+  const std::vector<ThinSet> parts = set.parts.empty() ? std::vector{set} : set.parts;
+  Extreme best{-std::numeric_limits<double>::infinity(), {}};
+  for (const ThinSet& part : parts) {
+    const std::vector<Point> points = points_of_set(part, problem, grid);
+    // Of a chain some parts may lie outside of the domain.
+    if (points.empty() && parts.size() > 1) continue;
+    const Extreme other = SetMaximum(f, part, problem, grid).run(points);
+    if (other.value > best.value) best = other;
+  }
+  if (!std::isfinite(best.value))
+    throw ComputationError("a probe over a set has no points: no part of it is in the domain");
+  return best;
 }
 
 }  // namespace rfm

@@ -1,5 +1,6 @@
 #include "problems/set_integrals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -12,7 +13,9 @@ namespace {
 
 constexpr int points = 8;
 
-// A curve in space: the points of the segment itself.
+bool is_straight(const ThinSet& set) { return set.points.size() == 2 && set.bulge == 0; }
+
+// The points of a segment itself.
 std::array<double, 2> over_segment(const Field& f, const ThinSet& set,
                                    const RegionEvaluator& region, const Grid& grid) {
   const VolumePoints rule =
@@ -27,6 +30,25 @@ std::array<double, 2> over_segment(const Field& f, const ThinSet& set,
   return {integral, measure};
 }
 
+// Cells of the same size in a box around a triangle alone, off its middle, so that no line of the
+// grid lies on a triangle across an axis.
+Grid around_triangle(const ThinSet& triangle, const Grid& grid) {
+  Box box{3, triangle.points[0], triangle.points[0]};
+  std::array<int, 3> cells{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Point& corner : triangle.points) {
+      box.low[axis] = std::min(box.low[axis], corner[axis]);
+      box.high[axis] = std::max(box.high[axis], corner[axis]);
+    }
+    const double spacing = grid.spacing(axis);
+    cells[axis] = static_cast<int>(std::ceil(box.length(axis) / spacing + 0.1));
+    const double beyond = 0.5 * (cells[axis] * spacing - box.length(axis));
+    box.low[axis] -= 0.87 * beyond;
+    box.high[axis] += 1.13 * beyond;
+  }
+  return Grid(box, cells);
+}
+
 // The surface is an interface, split where the set ends.
 DomainRule rule_on_surface(const ThinSet& set, const RegionEvaluator& region, const Grid& grid) {
   std::vector<LevelFunction> interfaces;
@@ -36,14 +58,21 @@ DomainRule rule_on_surface(const ThinSet& set, const RegionEvaluator& region, co
   options.inside_points = 1;
   options.cut_points = points;
   options.compare_orders = false;
-  return make_domain_rule(region, grid, options, interfaces);
+  return make_domain_rule(region, set.points.size() == 3 ? around_triangle(set, grid) : grid,
+                          options, interfaces);
 }
 
 }  // namespace
 
 std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
                                           const ScalarProblem& problem, const Grid& grid) {
-  if (!set.surface) return over_segment(f, set, problem.region(), grid);
+  std::array<double, 2> sum{};
+  for (const ThinSet& part : set.parts) {
+    const std::array<double, 2> more = integrated_over_set(f, part, problem, grid);
+    for (int i = 0; i < 2; ++i) sum[i] += more[i];
+  }
+  if (!set.parts.empty()) return sum;
+  if (is_straight(set)) return over_segment(f, set, problem.region(), grid);
   const DomainRule rule = rule_on_surface(set, problem.region(), grid);
   const Field inside = step(set.where);
   const IntegrationPlace place{Contribution::Place::interface, {0}};
@@ -55,7 +84,7 @@ std::array<double, 2> integrated_over_set(const Field& f, const ThinSet& set,
 std::vector<Point> points_of_set(const ThinSet& set, const ScalarProblem& problem,
                                  const Grid& grid) {
   std::vector<Point> list;
-  if (!set.surface) {
+  if (is_straight(set)) {
     const VolumePoints rule =
         make_segment_rule(problem.region(), set.points[0], set.points[1], grid.spacing(0), points);
     for (int i = 0; i < rule.size(); ++i) list.push_back(rule.point(i));

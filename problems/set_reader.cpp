@@ -1,15 +1,25 @@
 #include "problems/set_reader.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "problems/reserved_names.hpp"
+#include "problems/stl_reader.hpp"
 
 namespace rfm {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
+
+// Every value of its function visits all parts of a set.
+void refuse_many(std::size_t parts, const std::string& of) {
+  constexpr std::size_t most = 2000;
+  if (parts > most)
+    throw InvalidArgument(std::to_string(parts) + " " + of + ": a set has at most " +
+                          std::to_string(most) + " parts");
+}
 
 ThinSet stand_in(int dimension) { return point_set({}, dimension); }
 
@@ -28,6 +38,12 @@ SetReader::SetReader(const DocumentNode& root, ValueReader& values) : values_(va
     nodes_.emplace(entry.key, &entry.value);
     key_places_.emplace(entry.key, entry.key_place);
   }
+}
+
+std::vector<std::string> SetReader::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, node] : nodes_) names.push_back(name);
+  return names;
 }
 
 void SetReader::read_all() {
@@ -55,6 +71,8 @@ ThinSet SetReader::build(const DocumentNode& node) {
         if (entry.key == "arc") return arc(entry.value);
         if (entry.key == "curve") return curve(entry.value);
         if (entry.key == "triangle") return triangle(entry.value);
+        if (entry.key == "polyline") return polyline(entry.value);
+        if (entry.key == "mesh") return mesh(entry.value);
       } catch (const InvalidArgument& mistake) {
         values_.mistakes.add(mistake.what(), entry.value.place);
       }
@@ -101,6 +119,39 @@ ThinSet SetReader::triangle(const DocumentNode& list) {
   for (const DocumentNode& corner : list.items)
     if (const auto point = values_.point(corner)) corners.push_back(*point);
   return corners.size() == 3 ? triangle_set(corners[0], corners[1], corners[2]) : stand_in(3);
+}
+
+ThinSet SetReader::polyline(const DocumentNode& map) {
+  const DocumentNode *list = values_.find(map, "points"), *closed = values_.find(map, "closed");
+  std::vector<Point> points;
+  if (list)
+    for (const DocumentNode& item : list->items)
+      if (const auto point = values_.point(item)) points.push_back(*point);
+  if (!list || points.size() != list->items.size()) return stand_in(values_.dimension);
+  if (points.size() < 2) throw InvalidArgument("a polyline has at least two points");
+  if (closed && closed->text == "true" && points.back() != points.front())
+    points.push_back(points.front());
+  refuse_many(points.size() - 1, "segments of a polyline");
+  std::vector<ThinSet> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    if (points[i] == points[i + 1])
+      throw InvalidArgument("points " + std::to_string(i + 1) + " and " + std::to_string(i + 2) +
+                            " of a polyline are the same");
+    segments.push_back(segment_set(points[i], points[i + 1], values_.dimension));
+  }
+  return composite_set(std::move(segments));
+}
+
+ThinSet SetReader::mesh(const DocumentNode& file) {
+  const std::string name = file.place.source ? file.place.source->name : std::string();
+  const auto triangles = values_.guarded<std::vector<Triangle>>(file, [&] {
+    return read_stl(std::filesystem::path(name).parent_path().string(), file.text);
+  });
+  if (!triangles) return stand_in(3);
+  refuse_many(triangles->size(), "triangles in '" + file.text + "'");
+  std::vector<ThinSet> parts;
+  for (const auto& [a, b, c] : *triangles) parts.push_back(triangle_set(a, b, c));
+  return composite_set(std::move(parts));
 }
 
 }  // namespace rfm

@@ -18,6 +18,7 @@ class SetReader {
   /// Builds what has not been named yet.
   void read_all();
   bool contains(const std::string& name) const { return nodes_.contains(name); }
+  std::vector<std::string> names() const;
   /// The set of this name, which is one. Throws `InputError` at `offset` if it contains itself.
   const ThinSet& built(const std::string& name, std::size_t offset);
   /// Sets that were built; those with mistakes are stand-ins.
@@ -29,6 +30,8 @@ class SetReader {
   ThinSet arc(const DocumentNode& map);
   ThinSet curve(const DocumentNode& map);
   ThinSet triangle(const DocumentNode& list);
+  ThinSet polyline(const DocumentNode& map);
+  ThinSet mesh(const DocumentNode& file);
 
   ValueReader& values_;
   std::map<std::string, const DocumentNode*> nodes_;

@@ -164,11 +164,7 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     const auto outline = OutlineReader(values_).read(kind, node);
     if (!outline) return stand_in_shape(2);
     if (outline->distance) distances_.emplace(building_.back(), *outline->distance);
-    for (OutlineSide side : outline->sides) {
-      for (std::string& piece : side.pieces) piece = building_.back() + "." + piece;
-      side.name = building_.back() + "." + side.name;
-      sides_.emplace(side.name, side);
-    }
+    add_sides(outline->sides);
     return outline->region;
   }
   if (kind == "strip")
@@ -232,9 +228,22 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     return combined ? *combined : stand_in_shape(values_.dimension).named(building_.back());
   }
   if (kind == "conic" || kind == "quadric") return build_quadric(node);
+  if (kind == "enclosed_by") return build_enclosed(node);
   if (kind == "extrusion" || kind == "revolution" || kind == "transform")
     return derived_shape(kind, node);
   throw InvalidArgument("shapes of kind " + kind + " cannot be built");
+}
+
+const ThinSet* ShapeReader::set(const std::string& name) const {
+  return sets_.contains(name) ? &sets_.built(name, 0) : nullptr;
+}
+
+void ShapeReader::add_sides(const std::vector<OutlineSide>& sides) {
+  for (OutlineSide side : sides) {
+    for (std::string& piece : side.pieces) piece = building_.back() + "." + piece;
+    side.name = building_.back() + "." + side.name;
+    sides_.emplace(side.name, side);
+  }
 }
 
 const OutlineSide* ShapeReader::side(const std::string& name) const {

@@ -8,6 +8,7 @@
 #include "core/boolean_text.hpp"
 #include "core/outline.hpp"
 #include "core/region.hpp"
+#include "core/separators.hpp"
 #include "problems/set_reader.hpp"
 #include "problems/value_reader.hpp"
 
@@ -43,8 +44,13 @@ class ShapeReader {
   const std::map<std::string, Region>& shapes() const { return built_; }
   /// Nothing if the domain has a mistake.
   const std::optional<Region>& domain() const { return domain_; }
+  /// A set of this name, and which there are.
+  const ThinSet* set(const std::string& name) const;
+  std::vector<std::string> set_names() const { return sets_.names(); }
   /// A side that is no primitive of its own: part of one, or several.
   const OutlineSide* side(const std::string& name) const;
+  /// Shapes given by the sets that their boundaries are made of.
+  const std::map<std::string, DescribedSolid>& described() const { return described_; }
   /// `omega(name)` without this reader, for the problem.
   ExpressionFunction final_omega() const;
 
@@ -62,6 +68,8 @@ class ShapeReader {
   Region build_revolution(const DocumentNode& node);
   Region build_transform(const DocumentNode& node);
   Region build_quadric(const DocumentNode& node);
+  Region build_enclosed(const DocumentNode& list);
+  void add_sides(const std::vector<OutlineSide>& sides);
   ExpressionFunction omega();
   /// The function of `plate`, `plate.left` or `domain`, given the shape or the domain.
   static Field omega_of(const Region& region, const std::string& name,
@@ -76,6 +84,7 @@ class ShapeReader {
   std::map<std::string, Place> key_places_;
   std::map<std::string, Region> built_;
   std::map<std::string, OutlineSide> sides_;
+  std::map<std::string, DescribedSolid> described_;
   std::map<std::string, Field> distances_;  ///< of shapes as a whole, where `exact` is set
   std::vector<std::string> building_;
   std::map<std::string, std::set<std::string>> names_in_;  ///< "": named outside of shapes

@@ -59,8 +59,8 @@ Box quadrature_cell(const Grid& grid, const std::array<int, 3>& position) {
 
 class CellClassifier {
  public:
-  CellClassifier(const RegionEvaluator& region, const Grid& grid,
-                 std::span<const LevelFunction> interfaces, Classification classification)
+  CellClassifier(const RegionEvaluator& region, const Grid& grid, const Interfaces& interfaces,
+                 Classification classification)
       : region_(region),
         grid_(grid),
         interfaces_(interfaces),
@@ -167,14 +167,13 @@ class CellClassifier {
 
   const RegionEvaluator& region_;
   const Grid& grid_;
-  std::span<const LevelFunction> interfaces_;
+  Interfaces interfaces_;
   bool is_tight_;
   std::vector<CellState> states_;
 };
 
 CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,
-                                  std::span<const LevelFunction> interfaces,
-                                  Classification classification) {
+                                  const Interfaces& interfaces, Classification classification) {
   if (region.dimension() != grid.dimension())
     throw InvalidArgument("region and grid differ in dimension");
   return CellClassifier(region, grid, interfaces, classification).run();

@@ -5,6 +5,7 @@
 #include "core/grid.hpp"
 #include "core/region.hpp"
 #include "quadrature/active_set.hpp"
+#include "quadrature/interfaces.hpp"
 
 namespace rfm {
 
@@ -64,7 +65,7 @@ enum class Classification {
 
 /// Throws `InvalidArgument` when the dimensions of region and grid differ.
 CellClassification classify_cells(const RegionEvaluator& region, const Grid& grid,
-                                  std::span<const LevelFunction> interfaces = {},
+                                  const Interfaces& interfaces = {},
                                   Classification classification = Classification::tight);
 
 }  // namespace rfm

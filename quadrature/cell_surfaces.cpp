@@ -49,8 +49,8 @@ bool is_split(const Box& box, const Breakpoints& breakpoints) {
   return false;
 }
 
-CellSurfaces::CellSurfaces(const RegionEvaluator& region, std::span<const LevelFunction> interfaces)
-    : region_(region), interface_levels_(interfaces) {
+CellSurfaces::CellSurfaces(const RegionEvaluator& region, const Interfaces& interfaces)
+    : region_(region), all_interfaces_(interfaces) {
   for (int k = 0; k < region.primitive_count(); ++k) {
     Surface& surface = primitives_.emplace_back(region.level(k));
     if (region.level(k).is_quadric()) continue;
@@ -60,7 +60,7 @@ CellSurfaces::CellSurfaces(const RegionEvaluator& region, std::span<const LevelF
   }
   // Their expressions are not known any more.
   constexpr int operations_of_interface = 30;
-  for (const LevelFunction& level : interfaces) {
+  for (const LevelFunction& level : interfaces.levels()) {
     Surface& surface = interfaces_.emplace_back(level);
     if (!level.is_quadric()) surface.set_cost(WorkCost::of_operations(operations_of_interface));
   }
@@ -103,7 +103,7 @@ Uncertified CellSurfaces::visit_cut_cell(const CellClassification& classificatio
   }
   Uncertified uncertified;
   visit_pieces(box, breakpoints, 0, [&](const Box& piece) {
-    uncertified += visit_crowded(piece, SurfaceCandidates(region_, interface_levels_), 0, visit);
+    uncertified += visit_crowded(piece, SurfaceCandidates(region_, all_interfaces_), 0, visit);
   });
   return uncertified;
 }
@@ -115,7 +115,7 @@ void CellSurfaces::visit_inside_cell(const Box& box, const Breakpoints& breakpoi
 
 Uncertified CellSurfaces::visit_crowded(const Box& box, SurfaceCandidates candidates, int depth,
                                         const BoxVisitor& visit) const {
-  const Truth inside = candidates.narrow(box, true, region_, interface_levels_);
+  const Truth inside = candidates.narrow(box, true, region_, all_interfaces_);
   if (inside == Truth::no) return {};
   if (is_few(candidates.primitives.size(), candidates.interfaces.size())) {
     const TruthTable table = candidates.make_table(region_.region().expression());

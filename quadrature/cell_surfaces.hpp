@@ -14,8 +14,8 @@ using Breakpoints = std::array<std::vector<double>, 3>;
 /// The surfaces of a region and its interfaces, ready to be put into active sets cell by cell.
 class CellSurfaces {
  public:
-  /// Refers to both arguments.
-  CellSurfaces(const RegionEvaluator& region, std::span<const LevelFunction> interfaces);
+  /// Refers to the region and the level functions of the interfaces.
+  CellSurfaces(const RegionEvaluator& region, const Interfaces& interfaces);
 
   /// `others` together with the breakpoints of the surfaces, ascending.
   Breakpoints breakpoints(const Breakpoints& others) const;
@@ -39,7 +39,7 @@ class CellSurfaces {
                        std::span<const int> interfaces) const;
 
   const RegionEvaluator& region_;
-  std::span<const LevelFunction> interface_levels_;
+  Interfaces all_interfaces_;
   std::vector<Surface> primitives_, interfaces_;
 };
 

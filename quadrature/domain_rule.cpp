@@ -99,7 +99,7 @@ void DomainRule::add_inside_points(int cell, VolumePoints& points) const {
 class DomainRuleBuilder {
  public:
   DomainRuleBuilder(const RegionEvaluator& region, const Grid& grid,
-                    const QuadratureOptions& options, std::span<const LevelFunction> interfaces)
+                    const QuadratureOptions& options, const Interfaces& interfaces)
       : options_(options),
         classification_(classify_cells(region, grid, interfaces, Classification::loose)),
         surfaces_(region, interfaces),
@@ -331,8 +331,7 @@ class DomainRuleBuilder {
 };
 
 DomainRule make_domain_rule(const RegionEvaluator& region, const Grid& grid,
-                            const QuadratureOptions& options,
-                            std::span<const LevelFunction> interfaces) {
+                            const QuadratureOptions& options, const Interfaces& interfaces) {
   return DomainRuleBuilder(region, grid, options, interfaces).run();
 }
 

@@ -120,11 +120,12 @@ class DomainRule {
 
 /// The rule for `region`, which must lie within the box of `grid`. `interfaces` are curves
 /// (surfaces) across which integrands jump: every volume point of a cut cell lies clearly on one
-/// side, and pieces of the boundary are split there too. Parallel over cut cells. The error is
+/// side, and pieces of the boundary are split there too; where parts of the boundary end these
+/// alone are. Parallel over cut cells. The error is
 /// O(h^(2·cut_points)) in cut cells where primitives are smooth (see `add_cell_rule`). Throws
 /// `InvalidArgument` when region and grid differ in dimension or an option is out of range.
 DomainRule make_domain_rule(const RegionEvaluator& region, const Grid& grid,
                             const QuadratureOptions& options = {},
-                            std::span<const LevelFunction> interfaces = {});
+                            const Interfaces& interfaces = {});
 
 }  // namespace rfm

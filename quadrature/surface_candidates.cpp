@@ -19,10 +19,10 @@ Truth sign_of(const LevelFunction& level, const Interval& value) {
 }  // namespace
 
 SurfaceCandidates::SurfaceCandidates(const RegionEvaluator& region,
-                                     std::span<const LevelFunction> interface_levels)
+                                     const Interfaces& all_interfaces)
     : signs(region.primitive_count(), Truth::unknown),
       primitives(region.primitive_count()),
-      interfaces(interface_levels.size()) {
+      interfaces(all_interfaces.count()) {
   std::iota(primitives.begin(), primitives.end(), 0);
   std::iota(interfaces.begin(), interfaces.end(), 0);
   for (const int k : primitives) {
@@ -32,17 +32,16 @@ SurfaceCandidates::SurfaceCandidates(const RegionEvaluator& region,
 }
 
 Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluator& region,
-                                std::span<const LevelFunction> interface_levels) {
+                                const Interfaces& all_interfaces) {
   const auto sign_by = [&](const LevelFunction& level, const auto& bounds) {
     const Interval value = tight ? bounds.bounds(box).value : bounds.value_bounds(box);
     return sign_of(level, intersection(value, level.range()));
   };
-  const auto sign_in_box = [&](const LevelFunction& level) { return sign_by(level, level); };
   for (const int k : primitives) {
     const LevelFunction& level = region.level(k);
     const auto special = std::ranges::find(shortened, k, &Shortened::primitive);
     const bool known = special != shortened.end() && special->tape;
-    signs[k] = known ? sign_by(level, *special->tape) : sign_in_box(level);
+    signs[k] = known ? sign_by(level, *special->tape) : sign_by(level, level);
   }
   const BooleanExpression& expression = region.region().expression();
   const Truth inside = expression.evaluate(std::span<const Truth>(signs));
@@ -54,9 +53,7 @@ Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluato
   } else {
     primitives.clear();
   }
-  std::erase_if(interfaces, [&](int k) {
-    return inside == Truth::no || sign_in_box(interface_levels[k]) != Truth::unknown;
-  });
+  all_interfaces.narrow(box, inside, tight, interfaces);
   if (!tight) shorten(box, region);
   return inside;
 }

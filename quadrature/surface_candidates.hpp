@@ -6,6 +6,7 @@
 
 #include "core/region.hpp"
 #include "core/tape.hpp"
+#include "quadrature/interfaces.hpp"
 #include "quadrature/truth_table.hpp"
 
 namespace rfm {
@@ -30,12 +31,12 @@ struct SurfaceCandidates {
 
   SurfaceCandidates() = default;
   /// Nothing known yet.
-  SurfaceCandidates(const RegionEvaluator& region, std::span<const LevelFunction> interface_levels);
+  SurfaceCandidates(const RegionEvaluator& region, const Interfaces& all_interfaces);
 
   /// Whether `box` is inside (an unknown answer leaves primitives; interfaces may be left unless it
   /// is no). `tight` asks for the better and dearer bounds.
   Truth narrow(const Box& box, bool tight, const RegionEvaluator& region,
-               std::span<const LevelFunction> interface_levels);
+               const Interfaces& all_interfaces);
   /// The region as a function of the primitives left, those on which it does not depend dropped.
   /// There may be at most `TruthTable::max_variables`.
   TruthTable make_table(const BooleanExpression& expression);
