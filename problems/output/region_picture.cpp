@@ -79,6 +79,17 @@ void paint_pieces(Canvas& canvas, int left, int top, const RegionPicture& pictur
   });
 }
 
+double on_set(const RegionPicture::Set& set, std::size_t pixel) {
+  return std::clamp(0.5 * (set.width + 1) - set.distance[pixel], 0.0, 1.0);
+}
+
+void paint_sets(Canvas& canvas, int left, int top, const RegionPicture& picture) {
+  for (const RegionPicture::Set& set : picture.sets)
+    for_each_pixel(picture, [&](int x, int y, std::size_t i) {
+      canvas.image().blend(left + x, top + y, set.piece.colour, on_set(set, i));
+    });
+}
+
 void write_names(Canvas& canvas, int left, int top, const RegionPicture& picture,
                  const RegionStyle& style) {
   LabelPlaces places(picture.window.width, picture.window.height);
@@ -86,9 +97,14 @@ void write_names(Canvas& canvas, int left, int top, const RegionPicture& picture
     if (picture.piece[i] >= 0 && std::abs(picture.region.distance[i]) <= 0.75)
       places.add_curve_pixel(picture.piece[i], x, y);
     if (picture.region.distance[i] >= 0) places.add_painted_pixel(x, y);
+    for (std::size_t s = 0; s < picture.sets.size(); ++s)
+      if (on_set(picture.sets[s], i) == 1)
+        places.add_curve_pixel(static_cast<int>(picture.pieces.size() + s), x, y);
   });
-  for (std::size_t p = 0; p < picture.pieces.size(); ++p) {
-    const RegionPicture::Piece& piece = picture.pieces[p];
+  for (std::size_t p = 0; p < picture.pieces.size() + picture.sets.size(); ++p) {
+    const RegionPicture::Piece& piece = p < picture.pieces.size()
+                                            ? picture.pieces[p]
+                                            : picture.sets[p - picture.pieces.size()].piece;
     const TextExtent extent = text_extent(piece.name, style.font_size);
     if (const auto place = places.place(static_cast<int>(p), extent))
       canvas.text(piece.name, {left + place->x, top + place->y + 0.5 * extent.height},
@@ -117,6 +133,7 @@ void paint_region(Canvas& canvas, int left, int top, const RegionPicture& pictur
   paint_levels(canvas, left, top, picture);
   paint_parts(canvas, left, top, picture);
   paint_pieces(canvas, left, top, picture, style.boundary_width);
+  paint_sets(canvas, left, top, picture);
   write_names(canvas, left, top, picture, style);
 }
 

@@ -28,6 +28,13 @@ struct RegionPicture {
     Colour colour;
   };
   std::vector<Piece> pieces;
+  /// A point or a curve that need not bound anything.
+  struct Set {
+    Piece piece;
+    std::vector<float> distance;  ///< of each pixel's centre from it, in pixels
+    double width = 0;             ///< of its line
+  };
+  std::vector<Set> sets;
   /// Coordinates of the grid's lines across x and across y.
   std::vector<double> grid_x, grid_y;
 };
@@ -39,8 +46,8 @@ struct RegionStyle {
 
 /// Paints the region with its upper left corner at pixel (left, top): cells inside pale blue, the
 /// inner parts of cut cells pale orange, grid lines (where they are four pixels apart or more),
-/// level lines, pieces in their colours. Names are written beside their pieces where they hide no
-/// piece and no other name; the legend has them all.
+/// level lines, pieces and sets in their colours. Names are written beside their pieces where they
+/// hide no piece and no other name; the legend has them all.
 void paint_region(Canvas& canvas, int left, int top, const RegionPicture& picture,
                   const RegionStyle& style);
 

@@ -58,6 +58,13 @@ Image draw_line_check(const ScalarProblem& problem, const Grid& grid, int width)
     }
   }
   if (highest == 0) highest = 1;
+  int colour = static_cast<int>(problem.conditions().size());
+  for (const auto& [name, set] : problem.problem().sets) {
+    if (set.points.size() != 1) continue;
+    ends.push_back(
+        {{{{set.points[0][0], 0}}}, distinct_colour(colour++), 2.5, true, name + ": set"});
+    ends.back().label_below = 3.2;
+  }
   PlotCurve cells{{}, {0.55, 0.6, 0.68}, 1, false, ""};
   for (int i = 0; i <= grid.cells(0); ++i)
     cells.parts.push_back({{grid.line(0, i), 0}, {grid.line(0, i), -0.03 * highest}});

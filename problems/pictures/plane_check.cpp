@@ -14,6 +14,7 @@
 #include "problems/pictures/plane_picture.hpp"
 #include "problems/pictures/region_pixels.hpp"
 #include "problems/pictures/rule_dots.hpp"
+#include "problems/pictures/set_pixels.hpp"
 #include "problems/pictures/shown_field.hpp"
 
 namespace rfm {
@@ -24,6 +25,8 @@ std::vector<RegionPicture::Piece> legend(const ScalarProblem& problem) {
   for (const PieceCondition& condition : problem.conditions())
     pieces.push_back(
         {condition.name, description(condition), distinct_colour(static_cast<int>(pieces.size()))});
+  for (const auto& [name, set] : problem.problem().sets)
+    pieces.push_back({name, name + ": set", distinct_colour(static_cast<int>(pieces.size()))});
   return pieces;
 }
 
@@ -90,11 +93,13 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
     box.high[axis] += 0.06 * problem.bounds().longest_side();
   }
   RegionPicture picture;
-  picture.pieces = legend(problem);
+  const std::vector<RegionPicture::Piece> entries = legend(problem);
+  const auto first_set = entries.begin() + static_cast<std::ptrdiff_t>(problem.conditions().size());
+  picture.pieces = {entries.begin(), first_set};
   Axis x = Axis::linear(box.low[0], box.high[0], 0.7 * width, 6 * font),
        y = Axis::linear(box.low[1], box.high[1], 0.7 * width * box.length(1) / box.length(0),
                         4 * font);
-  const double legend_room = std::min(0.35 * width, legend_width(picture.pieces, font));
+  const double legend_room = std::min(0.35 * width, legend_width(entries, font));
   PictureRequest request;
   request.width = width;
   request.title = shown_title(problem.problem());
@@ -103,8 +108,7 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   request.bottom_margin = bottom_margin(x, font);
   request.right_margin = legend_room + font;
   constexpr int most_rows = 30;  // of the legend, where the domain is flat
-  request.least_height =
-      1.5 * font * (std::min(most_rows, static_cast<int>(picture.pieces.size())) + 3);
+  request.least_height = 1.5 * font * (std::min(most_rows, static_cast<int>(entries.size())) + 3);
   const PictureLayout layout = picture_layout(request);
   picture.window = PixelWindow::around(box, static_cast<int>(layout.shown.width),
                                        static_cast<int>(layout.shown.height));
@@ -120,6 +124,11 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   picture.parts = sample_materials(problem.problem(), picture.window);
   picture.in_cut_cell = cut_cells(rule, picture.window);
   picture.piece = conditions_at(problem, picture.region, picture.window);
+  auto entry = first_set;
+  for (const auto& [name, set] : problem.problem().sets) {
+    const double set_width = set.points.size() == 1 ? 0.8 * font : 0.2 * font;
+    picture.sets.push_back({*entry++, distances_from(set, picture.window, set_width), set_width});
+  }
   picture.grid_x = grid_lines(rule.grid(), 0);
   picture.grid_y = grid_lines(rule.grid(), 1);
 
@@ -134,7 +143,7 @@ Image draw_plane_check(const ScalarProblem& problem, const DomainRule& rule, int
   draw_legend(canvas,
               {layout.shown.right() + 1.2 * font, layout.shown.top, legend_room,
                canvas.height() - layout.shown.top - font},
-              picture.pieces, font);
+              entries, font);
   return canvas.image();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "core/tape.hpp"
 #include "problems/output/picture_layout.hpp"
@@ -15,6 +16,7 @@
 #include "problems/pictures/rule_dots.hpp"
 #include "problems/pictures/scene_painter.hpp"
 #include "problems/pictures/scene_panel.hpp"
+#include "problems/pictures/scene_sets.hpp"
 #include "problems/pictures/shown_field.hpp"
 #include "problems/pictures/visible_places.hpp"
 
@@ -78,28 +80,67 @@ NumberedPixels numbered(const SceneSamples& scene, const ConditionFinder& condit
   return pixels;
 }
 
+bool overlaps_any(const PixelRectangle& rectangle, const std::vector<PixelRectangle>& taken) {
+  return std::ranges::any_of(taken, [&](const PixelRectangle& other) {
+    return rectangle.left < other.right() && other.left < rectangle.right() &&
+           rectangle.top < other.bottom() && other.top < rectangle.bottom();
+  });
+}
+
+// Each set is named once, in the view in which most of it is seen.
+class SetNames {
+ public:
+  explicit SetNames(std::size_t count) : best_(count) {}
+
+  void consider(std::size_t set, const PixelRectangle& room, const SetPlace& place) {
+    std::optional<SetPlace>& best = best_[set];
+    if (!best || place.seen_pixels > best->seen_pixels)
+      best = SetPlace{{room.left + place.place.x, room.top + place.place.y}, place.seen_pixels};
+  }
+
+  // Above or below it; the rectangles of the names are added to `taken`.
+  void write(Canvas& canvas, std::span<const RegionPicture::Piece> sets, double size,
+             std::vector<PixelRectangle>& taken) const {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      if (!best_[i]) continue;
+      const double width = text_extent(sets[i].name, size).width;
+      for (const double below : {-1.0, 1.0, -2.2, 2.2}) {
+        const double x = best_[i]->place.x, y = best_[i]->place.y + below * size;
+        const PixelRectangle rectangle{x - 0.5 * width, y - 0.5 * size, width, size};
+        if (overlaps_any(rectangle, taken)) continue;
+        taken.push_back(rectangle);
+        canvas.text(sets[i].name, {x, y},
+                    {.size = size,
+                     .colour = mixed(sets[i].colour, black, 0.25),
+                     .horizontal = Align::centre,
+                     .halo = 0.15 * size});
+        break;
+      }
+    }
+  }
+
+ private:
+  std::vector<std::optional<SetPlace>> best_;
+};
+
 // Names stand where a piece has most room: in each view where they fit and hide no other name, at
 // least in the best one.
-void write_names(Canvas& canvas, const std::vector<RegionPicture::Piece>& pieces,
+void write_names(Canvas& canvas, std::span<const RegionPicture::Piece> pieces,
                  const std::vector<Panel>& panels, const ConditionFinder& condition_at,
-                 const std::vector<PixelRectangle>& rooms, double font) {
+                 const std::vector<PixelRectangle>& rooms, double font,
+                 std::vector<PixelRectangle> taken) {
   const int count = static_cast<int>(pieces.size());
   std::vector<std::vector<std::optional<VisiblePlace>>> places;
   for (const Panel& panel : panels)
     places.push_back(visible_places(numbered(panel.scene.samples(), condition_at), count));
   const double size = 0.9 * font;
-  std::vector<PixelRectangle> taken;
   const auto write = [&](std::size_t piece, std::size_t panel, bool must) {
     const auto& place = places[panel][piece];
     if (!place) return;
     const TextExtent text = text_extent(pieces[piece].name, size);
     const double x = rooms[panel].left + place->place.x, y = rooms[panel].top + place->place.y;
     const PixelRectangle rectangle{x - 0.5 * text.width, y - 0.5 * size, double(text.width), size};
-    const bool hides_another = std::ranges::any_of(taken, [&](const PixelRectangle& other) {
-      return rectangle.left < other.right() && other.left < rectangle.right() &&
-             rectangle.top < other.bottom() && other.top < rectangle.bottom();
-    });
-    if (hides_another || (!must && place->radius < 0.5 * text.width)) return;
+    if (overlaps_any(rectangle, taken) || (!must && place->radius < 0.5 * text.width)) return;
     taken.push_back(rectangle);
     canvas.text(pieces[piece].name, {x, y},
                 {.size = size, .horizontal = Align::centre, .halo = 0.15 * font});
@@ -171,6 +212,10 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
     pieces.push_back(
         {condition.name, description(condition), distinct_colour(static_cast<int>(pieces.size()))});
 
+  const std::size_t first_set = pieces.size();
+  for (const auto& [name, set] : problem.problem().sets)
+    pieces.push_back({name, name + ": set", distinct_colour(static_cast<int>(pieces.size()))});
+
   const double font = label_size(width);
   const PieceList list(pieces, width - 2 * font, font);
   PictureRequest request;
@@ -184,6 +229,7 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
   SceneStyle style;
   Canvas canvas(layout.width, layout.height);
   std::vector<PixelRectangle> rooms;
+  SetNames set_names(pieces.size() - first_set);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     ScenePanel& scene = panels[i].scene;
     const PixelRectangle room =
@@ -203,12 +249,23 @@ Image draw_space_check(const ScalarProblem& problem, const DomainRule& rule, int
                 scene.camera(), style);
     if (problem.problem().outputs.rule)
       paint_rule_dots(canvas, room.left, room.top, scene.samples(), scene.camera(), rule);
+    std::size_t number = 0;
+    for (const auto& [name, set] : problem.problem().sets) {
+      const RegionPicture::Piece& piece = pieces[first_set + number];
+      const auto place = paint_set(canvas, room.left, room.top, scene.samples(), scene.camera(),
+                                   set, piece.colour, 0.16 * font);
+      if (place) set_names.consider(number, room, *place);
+      ++number;
+    }
     draw_axes_triad(canvas, {room.left + 2.2 * font, room.bottom() - 1.5 * font}, 1.6 * font,
                     0.8 * font, scene.view());
     canvas.text(panels[i].caption, {room.left + 0.5 * room.width, room.top - 0.9 * font},
                 {.size = font, .horizontal = Align::centre});
   }
-  write_names(canvas, pieces, panels, condition_at, rooms, font);
+  const std::span all(pieces);
+  std::vector<PixelRectangle> taken;
+  set_names.write(canvas, all.subspan(first_set), 0.9 * font, taken);
+  write_names(canvas, all.first(first_set), panels, condition_at, rooms, font, taken);
   draw_frame(canvas, layout, request);
   list.draw(canvas, pieces, font, canvas.height() - list.height() - font);
   return canvas.image();

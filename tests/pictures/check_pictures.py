@@ -46,6 +46,13 @@ conditions:
   - {at: warm, flux: 3}
   - {at: rest, flux: 0}
 """
+SETS = """
+sets:
+  spot: {point: [2.2, 0.5]}
+  wire: {polyline: {points: [[1.2, 0.3], [1.6, 0.9], [2.6, 0.9]]}}
+  bow: {arc: {center: [0.6, 0.8], radius: 0.45, from: 20, to: 160}}
+  wave: {curve: {of: "y - 0.3 - 0.1*sin(5*x)", where: "(x - 1)*(2 - x)"}}
+"""
 EXACT = """
 verify:
   exact: {u: "1 + log(2*hypot(x - 3, y - 1)) / log(2)"}
@@ -189,6 +196,13 @@ def check_check(runs):
     drawn = strong_colours(picture, range(0, int(0.7 * picture.width)))
     assert len(legend) == 9, f"the legend has {len(legend)} colours: {legend}"
     assert legend <= drawn, f"{legend - drawn} are not drawn"
+    # Sets in colours of their own, in the legend and on the picture.
+    names, out, _ = runs.run(BRACKET + SETS, "--picture", check=True)
+    picture = Picture(out / "case.check.png")
+    more = strong_colours(picture, range(int(0.74 * picture.width), picture.width)) - legend
+    assert len(more) == 4, f"the legend has {len(more)} colours for four sets: {more}"
+    drawn = strong_colours(picture, range(0, int(0.7 * picture.width)))
+    assert more <= drawn, f"{more - drawn} are not drawn"
     names, out, _ = runs.run(BAR, "--picture", check=True, width=400)
     assert names == ["case.check.png"] and Picture(out / "case.check.png").width == 400
     names, _, _ = runs.run(RING, check=True)
