@@ -17,7 +17,6 @@
 #include "problems/worst_cells.hpp"
 #include "quadrature/edges.hpp"
 #include "quadrature/vertices.hpp"
-#include "solvers/assembly.hpp"
 
 namespace rfm {
 namespace {
@@ -144,7 +143,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const RelationAnswer& answer : relations)
     log.line("{}", relation_text(answer, problem.dimension));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
-           rule.report().cut_cells, coefficient_count(scalar.spaces(rule)));
+           rule.report().cut_cells, scalar.equations(rule).size());
   if (options.picture) write_picture(file, options.output, scalar, rule, log);
   return 0;
 }

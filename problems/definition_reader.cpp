@@ -129,7 +129,7 @@ class DefinitionReader::Definitions {
 
   void read_formula(Definition& definition) {
     const DocumentNode& node = definition.entry->value;
-    if (!node.is_scalar()) {
+    if (!node.is_scalar()) {  // a field may be the result of another problem
       if (definition.kind == Definition::Kind::function)
         values_.mistakes.add("expected a formula for '" + definition.entry->key + "'", node.place);
       return;
@@ -252,9 +252,13 @@ class DefinitionReader::Definitions {
 
   void define_field(const Definition& definition) {
     values_.number_scope.refuse(definition.name, "is a field: a number is needed here");
+    problem_.fields.push_back(definition.name);
+    if (definition.entry->value.is_map()) {
+      const std::optional<Field> result = values_.field(definition.entry->value);
+      return values_.scope.define(definition.name, result.value_or(Field(1.0)));
+    }
     values_.scope.define(definition.name,
                          is_sound(definition) ? *definition.formula : Expression("1"));
-    problem_.fields.push_back(definition.name);
   }
 
   const DocumentNode& root_;

@@ -133,8 +133,11 @@ void check_materials(const Problem& problem, const DomainRule& rule) {
                                  materials[i].text),
                      materials[i].place, {{"the other is here", materials[j].place}});
   }
-  const std::string key =
-      problem.physics.type == PhysicsType::heat ? "conductivity" : "diffusivity";
+  const PhysicsType type = problem.physics.type;
+  const std::string key = type == PhysicsType::heat       ? "conductivity"
+                          : type == PhysicsType::membrane ? "tension"
+                          : type == PhysicsType::torsion  ? "modulus"
+                                                          : "diffusivity";
   if (!has_rest && !problem.physics.coefficients.contains(key)) {
     const double measure = integrate(uncovered, rule);
     if (measure > negligible)

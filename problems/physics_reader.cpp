@@ -10,8 +10,9 @@
 namespace rfm {
 namespace {
 
-constexpr std::array<std::string_view, 6> coefficient_keys = {
-    "diffusivity", "reaction", "source", "conductivity", "density", "heat_capacity"};
+constexpr auto coefficient_keys =
+    std::to_array<std::string_view>({"diffusivity", "reaction", "source", "conductivity", "density",
+                                     "heat_capacity", "modulus", "twist", "tension", "load"});
 
 class PhysicsReader {
  public:
@@ -31,7 +32,7 @@ class PhysicsReader {
             materials->place);
       return;
     }
-    physics_.type = type && type->text == "heat" ? PhysicsType::heat : PhysicsType::poisson;
+    if (type) physics_.type = type_of(type->text);
     if (const DocumentNode* advection = values_.find(map, "advection")) read_advection(*advection);
     read_coefficients(map, physics_.coefficients);
     const DocumentNode* materials = values_.find(map, "materials");
@@ -42,7 +43,15 @@ class PhysicsReader {
   }
 
  private:
+  static PhysicsType type_of(std::string_view word) {
+    if (word == "heat") return PhysicsType::heat;
+    if (word == "torsion") return PhysicsType::torsion;
+    if (word == "membrane") return PhysicsType::membrane;
+    return PhysicsType::poisson;
+  }
+
   std::optional<Field> field(const DocumentNode& node) {
+    if (node.is_map()) return values_.field(node);  // the result of another problem
     if (!values_.fits(node) || !node.is_scalar()) return std::nullopt;
     return values_.guarded<Field>(node, [&] { return to_field(Expression(node.text), scope_); });
   }

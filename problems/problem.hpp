@@ -54,7 +54,14 @@ struct Material {
   Place place;
 };
 
-enum class PhysicsType { poisson, heat, custom };
+enum class PhysicsType { poisson, heat, torsion, membrane, custom };
+
+/// What is asked of the equation.
+struct Study {
+  enum class Type { steady, eigen } type = Type::steady;
+  int count = 6;     ///< of eigenvalues
+  double shift = 0;  ///< where they begin
+};
 
 /// A part of the boundary, as names: some pieces (primitives), or parts of pieces.
 struct BoundaryTarget {
@@ -125,9 +132,14 @@ struct Condition {
 };
 
 struct Discretization {
+  /// Splines on the grid, or functions that live on the whole of it: then the grid is one of
+  /// quadrature only.
+  enum class Basis { bspline, legendre, chebyshev, power, trigonometric } basis = Basis::bspline;
   int degree = 3;
   /// Degrees of unknowns that differ from it, by name.
   std::map<std::string, int> degrees;
+  /// Of polynomials: whether `degree` bounds the sum of the exponents, or each of them.
+  bool total_degree = true;
   /// One number (along the longest side) or one per dimension; empty where `cell_size` is given.
   std::vector<int> cells;
   std::optional<double> cell_size;
@@ -188,7 +200,7 @@ struct Expectation {
 };
 
 struct OrderBounds {
-  std::string norm;  // L2, H1, max
+  std::string norm;  // L2, H1, max, eigenvalues
   double least = 0;
   std::optional<double> most;
 };
@@ -201,6 +213,8 @@ struct ConvergenceCheck {
 struct Verification {
   /// The exact solution by unknown.
   std::map<std::string, Field> exact;
+  /// Exact eigenvalues, ascending from the shift of the study.
+  std::vector<double> eigenvalues;
   std::vector<Expectation> expectations;
   std::optional<ConvergenceCheck> convergence;
 };
@@ -257,6 +271,7 @@ struct Problem {
   Place conditions_place;
 
   Physics physics;
+  Study study;
   Discretization discretization;
   std::vector<Probe> probes;
   Verification verification;

@@ -9,6 +9,7 @@
 #include "problems/custom_physics.hpp"
 #include "problems/definition_reader.hpp"
 #include "problems/geometric_relations.hpp"
+#include "problems/other_problems.hpp"
 #include "problems/overrides.hpp"
 #include "problems/physics_reader.hpp"
 #include "problems/result_scope.hpp"
@@ -64,6 +65,10 @@ void read_contents(ValueReader& values, Problem& problem) {
   define_common_names(values, std::filesystem::path(problem.file).parent_path().string());
   DefinitionReader definitions(root, values, problem);
   definitions.read();
+  problem.study = read_study(root, values);
+  if (problem.study.type == Study::Type::eigen)
+    values.results = stand_in_results(problem.physics.unknowns, has_flux, problem.dimension,
+                                      problem.study.count);
   SetReader sets(root, values);
   ShapeReader shapes(root, values, sets);
   definitions.check();
@@ -89,7 +94,8 @@ void read_contents(ValueReader& values, Problem& problem) {
 }  // namespace
 
 Problem read_problem(std::shared_ptr<const SourceText> source,
-                     const std::vector<std::string>& overrides) {
+                     const std::vector<std::string>& overrides,
+                     const std::vector<std::string>& files) {
   Problem problem;
   problem.file = source->name;
   problem.document = parse_document(source);
@@ -100,6 +106,8 @@ Problem read_problem(std::shared_ptr<const SourceText> source,
   if (const DocumentNode* dimension = values.find(problem.document, "dimension"))
     problem.dimension = dimension->text[0] - '0';
   values.dimension = problem.dimension;
+  OtherProblems others(files.empty() ? std::vector{problem.file} : files, problem.dimension);
+  values.result_of_other_problem = [&](const DocumentNode& map) { return others.result(map); };
   // A dimension that is wrong makes everything else look wrong.
   if (values.find(problem.document, "dimension")) read_contents(values, problem);
   mistakes.throw_if_any();
@@ -107,8 +115,9 @@ Problem read_problem(std::shared_ptr<const SourceText> source,
   return problem;
 }
 
-Problem read_problem(const std::string& path, const std::vector<std::string>& overrides) {
-  return read_problem(read_source(path), overrides);
+Problem read_problem(const std::string& path, const std::vector<std::string>& overrides,
+                     const std::vector<std::string>& files) {
+  return read_problem(read_source(path), overrides, files);
 }
 
 }  // namespace rfm

@@ -75,6 +75,10 @@ void define_results(ExpressionScope& scope, const ScalarResults& results) {
     scope.define(name, field);
     all.push_back(field);
   }
+  for (std::size_t i = 0; i < results.modes.size(); ++i) {
+    scope.define(mode_name(i), results.modes[i]);
+    all.push_back(results.modes[i]);
+  }
   if (results.unknowns.size() == 1)
     define_vector(scope, "gradient", gradient(results.unknowns[0].field, results.dimension));
   if (!results.flux.empty()) define_vector(scope, "flux", results.flux);
@@ -111,11 +115,12 @@ void refuse_results(ExpressionScope& scope, const ScalarResults& results,
 }
 
 ScalarResults stand_in_results(const std::vector<std::string>& unknowns, bool has_flux,
-                               int dimension) {
+                               int dimension, int modes) {
   const Field any = sin(x_coordinate());
   ScalarResults results{{}, {}, dimension};
   for (const std::string& name : unknowns) results.unknowns.push_back({name, any});
   if (has_flux) results.flux.assign(static_cast<std::size_t>(dimension), any);
+  results.modes.assign(static_cast<std::size_t>(modes), any);
   return results;
 }
 
@@ -123,11 +128,14 @@ std::vector<Field> stand_in_normal(int dimension) {
   return std::vector<Field>(static_cast<std::size_t>(dimension), x_coordinate());
 }
 
+std::string mode_name(std::size_t number) { return "mode" + std::to_string(number + 1); }
+
 std::vector<std::string> output_names(const ScalarResults& results) {
   std::vector<std::string> names;
   for (const auto& [name, field] : results.unknowns) names.push_back(name);
   if (results.unknowns.size() == 1) names.emplace_back("gradient");
   if (!results.flux.empty()) names.emplace_back("flux");
+  for (std::size_t i = 0; i < results.modes.size(); ++i) names.push_back(mode_name(i));
   return names;
 }
 

@@ -18,6 +18,7 @@ struct ScalarResults {
   /// +k grad(u): `flux`, `flux.x`, …; empty for equations that have none.
   std::vector<Field> flux;
   int dimension = 2;
+  std::vector<Field> modes{};  ///< of an eigenproblem: `mode1`, …; u is the first
 };
 
 /// Adds `n`, `n.x`, `n.y`, `n.z`: the outward unit normal of a boundary, one field per dimension.
@@ -39,10 +40,13 @@ void refuse_results(ExpressionScope& scope, const ScalarResults& results,
 /// Stand-ins for checking a formula before there is a solution: they have the right number of
 /// components, and any derivative of them exists.
 ScalarResults stand_in_results(const std::vector<std::string>& unknowns, bool has_flux,
-                               int dimension);
+                               int dimension, int modes = 0);
 std::vector<Field> stand_in_normal(int dimension);
 
-/// The results that may be written to files: the unknowns, gradient, flux.
+/// The name of mode `number`, counted from 0: `mode1`.
+std::string mode_name(std::size_t number);
+
+/// The results that may be written to files: the unknowns, gradient, flux, modes.
 std::vector<std::string> output_names(const ScalarResults& results);
 
 }  // namespace rfm

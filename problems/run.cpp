@@ -1,6 +1,7 @@
 #include "problems/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -47,6 +48,16 @@ void log_newton(RunLog& log, const ScalarSolution& solution) {
     log.line("order of convergence of the last steps: {:.2f}", *solution.newton_order);
 }
 
+void log_eigenvalues(RunLog& log, const EigenResult& eigen, const Study& study) {
+  log.line("eigenvalues from {:.6g}: all of the {} below {:.6g} are known, by the signs of pivots",
+           study.shift, eigen.present, eigen.upper);
+  log.line("{:>4} {:>22} {:>18} {:>9}", "mode", "eigenvalue", "frequency", "residual");
+  const std::vector<double> frequencies = eigen.frequencies();
+  for (std::size_t i = 0; i < eigen.values.size(); ++i)
+    log.line("{:>4} {:>22.14g} {:>18.12g} {:>9.1e}", i + 1, eigen.values[i], frequencies[i],
+             eigen.residuals[i]);
+}
+
 void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
                   const ScalarSolution& solution) {
   const QuadratureReport& quadrature = solution.rule.report();
@@ -66,9 +77,15 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   std::string cells;
   for (int axis = 0; axis < grid.dimension(); ++axis)
     cells += fmt::format("{}{}", axis > 0 ? " x " : "", grid.cells(axis));
-  log.line("grid: {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
-           cells, problem.problem().discretization.degree, quadrature.inside_cells,
-           quadrature.cut_cells, quadrature.smallest_cut_fraction, solution.unknowns);
+  const Discretization& discretization = problem.problem().discretization;
+  log.line("{}: {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
+           discretization.basis == Discretization::Basis::bspline
+               ? "grid"
+               : "functions of the whole domain, integrated on",
+           cells, discretization.degree, quadrature.inside_cells, quadrature.cut_cells,
+           quadrature.smallest_cut_fraction, solution.unknowns);
+  if (discretization.basis == Discretization::Basis::power && discretization.degree > 16)
+    log.line("note: powers above degree 16 are dependent but for rounding; use legendre");
   if (quadrature.uncertified.boxes > 0)
     log.line(
         "note: quadrature is a best effort in {} boxes of total measure {:.1e}, with "
@@ -77,6 +94,11 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
         quadrature.uncertified.boundary);
   log.line("measures: domain {:.12g}, boundary {:.12g}; divergence theorem holds to {:.1e}",
            solution.rule.measure(), solution.rule.boundary_measure(), quadrature.divergence_defect);
+  if (solution.eigen) {
+    log_eigenvalues(log, *solution.eigen, problem.problem().study);
+    log.line("boundary residual of the modes, of unit mass: {:.1e}", solution.boundary_residual);
+    return;
+  }
   log_newton(log, solution);
   log.line("solved: linear residual {:.1e}, boundary residual {:.1e}{}",
            solution.linear.relative_residual, solution.boundary_residual,
@@ -117,23 +139,44 @@ double relative_change(const ScalarSolution& solution, const ScalarResults& prev
   return size > 0 ? change / size : change;
 }
 
+// Where exact eigenvalues are known.
+std::optional<double> eigenvalue_error(const ScalarProblem& problem,
+                                       const ScalarSolution& solution) {
+  const std::vector<double>& exact = problem.problem().verification.eigenvalues;
+  if (!solution.eigen || exact.empty()) return std::nullopt;
+  return rfm::eigenvalue_error(solution.eigen->values, exact);
+}
+
+// The error of a row in a norm and its order from the row before, both "-" where there is none.
+std::array<std::string, 2> error_texts(const std::vector<ConvergenceRow>& rows, std::size_t i,
+                                       const char* norm) {
+  const std::optional<double> error = rows[i].error(norm);
+  const std::optional<double> before = i > 0 ? rows[i - 1].error(norm) : std::nullopt;
+  return {error ? fmt::format("{:.3e}", *error) : "-",
+          error && before ? fmt::format("{:.2f}", observed_order(*before, *error, rows[i - 1].cells,
+                                                                 rows[i].cells))
+                          : "-"};
+}
+
 void log_convergence(RunLog& log, const std::vector<ConvergenceRow>& rows) {
-  log.line("{:>7} {:>9} {:>12} {:>6} {:>12} {:>6}", "cells", "unknowns", "L2", "order", "H1",
-           "order");
+  std::vector<const char*> norms;
+  for (const char* norm : {"L2", "H1", "eigenvalues"})
+    if (std::ranges::any_of(rows, [&](const auto& row) { return row.error(norm).has_value(); }))
+      norms.push_back(norm);
+  std::string head = fmt::format("{:>7} {:>9}", "cells", "unknowns");
+  for (const char* norm : norms) head += fmt::format(" {:>12} {:>6}", norm, "order");
+  log.line("{}", head);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ConvergenceRow& row = rows[i];
-    if (!row.errors) {
-      log.line("{:>7} {:>9}   change of u in L2, relative: {}", row.cells, row.unknowns,
-               row.change ? fmt::format("{:.3e}", *row.change) : "-");
-      continue;
+    std::string text = fmt::format("{:>7} {:>9}", row.cells, row.unknowns);
+    for (const char* norm : norms) {
+      const auto [error, order] = error_texts(rows, i, norm);
+      text += fmt::format(" {:>12} {:>6}", error, order);
     }
-    const auto order = [&](double SolutionErrors::*norm) {
-      if (i == 0 || !rows[i - 1].errors) return std::string("-");
-      return fmt::format("{:.2f}", observed_order((*rows[i - 1].errors).*norm, (*row.errors).*norm,
-                                                  rows[i - 1].cells, row.cells));
-    };
-    log.line("{:>7} {:>9} {:>12.3e} {:>6} {:>12.3e} {:>6}", row.cells, row.unknowns, row.errors->l2,
-             order(&SolutionErrors::l2), row.errors->h1, order(&SolutionErrors::h1));
+    if (!row.errors)
+      text += fmt::format("   change of u in L2, relative: {}",
+                          row.change ? fmt::format("{:.3e}", *row.change) : "-");
+    log.line("{}", text);
   }
 }
 
@@ -145,6 +188,7 @@ std::vector<ConvergenceRow> convergence_study(const ScalarProblem& problem,
     const Grid grid = problem.grid(count);
     const ScalarSolution solution = problem.solve(grid);
     ConvergenceRow& row = rows.emplace_back(ConvergenceRow{count, solution.unknowns, {}, {}});
+    row.eigenvalue_error = eigenvalue_error(problem, solution);
     if (const auto errors = solution_errors(problem, grid, solution))
       row.errors = errors->all;
     else if (rows.size() > 1)
@@ -156,12 +200,13 @@ std::vector<ConvergenceRow> convergence_study(const ScalarProblem& problem,
 
 void check_orders(RunReport& report, const ConvergenceCheck& check, RunLog& log) {
   const std::vector<ConvergenceRow>& rows = report.convergence;
-  if (rows.size() < 2 || !rows.back().errors) return;
+  if (rows.size() < 2) return;
   const ConvergenceRow &coarse = rows[rows.size() - 2], &fine = rows.back();
   for (const OrderBounds& bounds : check.orders) {
-    const double order =
-        observed_order(coarse.errors->by_name(bounds.norm), fine.errors->by_name(bounds.norm),
-                       coarse.cells, fine.cells);
+    const std::optional<double> coarse_error = coarse.error(bounds.norm),
+                                fine_error = fine.error(bounds.norm);
+    if (!coarse_error || !fine_error) continue;
+    const double order = observed_order(*coarse_error, *fine_error, coarse.cells, fine.cells);
     const bool ok = order >= bounds.least && order <= bounds.most.value_or(INFINITY);
     report.orders.push_back({bounds.norm, order, bounds, ok});
     log.line("order in {}: {:.3f}, expected {}: {}", bounds.norm, order,
@@ -213,6 +258,9 @@ int run_problem(const std::string& file, const RunOptions& options) {
   if (options.verify) report.errors = solution_errors(scalar, grid, solution);
   if (report.errors)
     for (const auto& [name, errors] : report.errors->by_unknown) log_errors(log, name, errors);
+  if (options.verify) report.eigenvalue_error = eigenvalue_error(scalar, solution);
+  if (report.eigenvalue_error)
+    log.line("error of the eigenvalues, the largest, relative: {:.3e}", *report.eigenvalue_error);
   report.probes = evaluate_probes(scalar, solution);
   const auto& convergence = problem.verification.convergence;
   if (options.converge > 1) {

@@ -98,6 +98,42 @@ std::optional<Picture> read_picture(const DocumentNode& node, ValueReader& value
 
 }  // namespace
 
+Study read_study(const DocumentNode& root, ValueReader& values) {
+  Study study;
+  const DocumentNode* map = values.find(root, "study");
+  const DocumentNode* type = map ? values.find(*map, "type") : nullptr;
+  if (!type || type->text != "eigen") return study;
+  study.type = Study::Type::eigen;
+  const DocumentNode* physics = values.find(root, "physics");
+  const DocumentNode* kind = physics ? values.find(*physics, "type") : nullptr;
+  if (kind && (kind->text == "torsion" || kind->text == "custom"))
+    values.mistakes.add(
+        kind->text + " has no mass, so that it has no modes; expected: poisson, heat, membrane",
+        kind->place);
+  if (const DocumentNode* count = values.find(*map, "count"))
+    study.count = values.integer(*count).value_or(study.count);
+  if (const DocumentNode* shift = values.find(*map, "shift"))
+    study.shift = values.number(*shift).value_or(study.shift);
+  return study;
+}
+
+namespace {
+
+void read_polynomials(const DocumentNode& basis, ValueReader& values, Discretization& result) {
+  using Basis = Discretization::Basis;
+  for (const auto& [key, kind] :
+       {std::pair{"legendre", Basis::legendre}, std::pair{"chebyshev", Basis::chebyshev},
+        std::pair{"power", Basis::power}, std::pair{"trigonometric", Basis::trigonometric}})
+    if (const DocumentNode* degree = values.find(basis, key)) {
+      result.basis = kind;
+      result.degree = values.integer(*degree).value_or(result.degree);
+    }
+  if (const DocumentNode* degree = values.find(basis, "degree"))
+    result.total_degree = degree->text != "maximal";
+}
+
+}  // namespace
+
 Discretization read_discretization(const DocumentNode& root, ValueReader& values,
                                    const std::vector<std::string>& unknowns) {
   Discretization result;
@@ -106,6 +142,7 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
   if (const DocumentNode* basis = values.find(*map, "basis")) {
     if (const DocumentNode* degree = values.find(*basis, "bspline"))
       result.degree = values.integer(*degree).value_or(result.degree);
+    read_polynomials(*basis, values, result);
     if (const DocumentNode* cells = values.find(*basis, "cells"))
       result.cells = read_cells(*cells, values);
     if (const DocumentNode* size = values.find(*basis, "size"))
@@ -164,6 +201,15 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
       if (const std::optional<Field> field = values.field(entry.value))
         verification.exact.emplace(entry.key, *field);
     }
+  if (const DocumentNode* exact = values.find(*map, "eigenvalues")) {
+    verification.eigenvalues = values.numbers(*exact).value_or(std::vector<double>{});
+    if (problem.study.type != Study::Type::eigen)
+      values.mistakes.add("eigenvalues need study: {type: eigen}", exact->place);
+    else if (verification.eigenvalues.size() > static_cast<std::size_t>(problem.study.count))
+      values.mistakes.add(fmt::format("{} eigenvalues are more than the study's count of {}",
+                                      verification.eigenvalues.size(), problem.study.count),
+                          exact->place);
+  }
   const auto check_quantity = [&](const DocumentNode& node) {
     constexpr std::array<std::string_view, 17> parts = {
         "probes",          "errors",         "measures",    "energy",
@@ -210,6 +256,11 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
     }
   const DocumentNode* convergence = values.find(*map, "convergence");
   if (!convergence) return;
+  if (problem.discretization.basis != Discretization::Basis::bspline)
+    values.mistakes.add(
+        "grids of several sizes need splines: functions of the whole domain have a "
+        "degree only",
+        convergence->place);
   ConvergenceCheck check;
   if (const DocumentNode* cells = values.find(*convergence, "cells")) {
     check.cells = values.integers(*cells).value_or(std::vector<int>{});
@@ -218,7 +269,7 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
     if (std::ranges::adjacent_find(check.cells, std::greater_equal<>()) != check.cells.end())
       values.mistakes.add("the cells must increase from grid to grid", cells->place);
   }
-  for (const char* norm : {"L2", "H1", "max"}) {
+  for (const char* norm : {"L2", "H1", "max", "eigenvalues"}) {
     if (const DocumentNode* least = values.find(*convergence, "minimum_order"))
       if (const DocumentNode* order = values.find(*least, norm))
         if (const std::optional<double> value = values.number(*order))
@@ -232,10 +283,17 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
           values.mistakes.add("expected two numbers [least, most]", order->place);
       }
   }
-  const bool has_orders = convergence->find("minimum_order") || convergence->find("order");
-  if (has_orders && !map->find("exact"))
-    values.mistakes.add("orders of convergence need the exact solution: add verify.exact",
-                        convergence->place);
+  const auto needs = [&](const char* key, bool eigenvalues) {
+    const bool given = map->find(key) != nullptr;
+    if (!given && std::ranges::any_of(check.orders, [&](const OrderBounds& order) {
+          return (order.norm == "eigenvalues") == eigenvalues;
+        }))
+      values.mistakes.add(fmt::format("orders of convergence need the exact {}: add verify.{}",
+                                      eigenvalues ? "eigenvalues" : "solution", key),
+                          convergence->place);
+  };
+  needs("exact", false);
+  needs("eigenvalues", true);
   verification.convergence = std::move(check);
 }
 

@@ -7,6 +7,8 @@
 
 namespace rfm {
 
+/// Reads `study`. Parameters must be known.
+Study read_study(const DocumentNode& root, ValueReader& values);
 /// Reads `discretization`.
 Discretization read_discretization(const DocumentNode& root, ValueReader& values,
                                    const std::vector<std::string>& unknowns);

@@ -67,12 +67,34 @@ bool is_isotropic(const ScalarCoefficients& coefficients, int dimension) {
 }
 
 ScalarCoefficients scalar_coefficients(const Problem& problem) {
-  const bool heat = problem.physics.type == PhysicsType::heat;
+  const int square = problem.dimension * problem.dimension;
+  const auto scalar = [&](const char* key) { return with_materials(problem, key, 1)[0]; };
   ScalarCoefficients coefficients;
-  coefficients.conductivity = with_materials(problem, heat ? "conductivity" : "diffusivity",
-                                             problem.dimension * problem.dimension);
-  if (!heat) coefficients.reaction = with_materials(problem, "reaction", 1)[0];
-  coefficients.source = with_materials(problem, "source", 1)[0];
+  switch (problem.physics.type) {
+    case PhysicsType::poisson:
+      coefficients.conductivity = with_materials(problem, "diffusivity", square);
+      coefficients.reaction = scalar("reaction");
+      coefficients.source = scalar("source");
+      break;
+    case PhysicsType::heat:
+      coefficients.conductivity = with_materials(problem, "conductivity", square);
+      coefficients.source = scalar("source");
+      coefficients.mass = scalar("density") * scalar("heat_capacity");
+      break;
+    case PhysicsType::membrane:
+      coefficients.conductivity = with_materials(problem, "tension", square);
+      coefficients.source = scalar("load");
+      coefficients.mass = scalar("density");
+      break;
+    case PhysicsType::torsion:
+      coefficients.conductivity.assign(square, 0.0);
+      for (int i = 0; i < problem.dimension; ++i)
+        coefficients.conductivity[i * problem.dimension + i] = 1.0;
+      coefficients.source = 2.0 * scalar("modulus") * scalar("twist");
+      break;
+    case PhysicsType::custom:
+      break;
+  }
   coefficients.advection = problem.physics.advection;
   return coefficients;
 }
@@ -101,6 +123,12 @@ Contribution volume_energy(const ScalarCoefficients& coefficients, int dimension
                            coefficients.conductivity[i * dimension + j]);
   energy.add_stiffness({0, {}}, {0, {}}, coefficients.reaction);
   energy.add_load({0, {}}, coefficients.source);
+  return {energy};
+}
+
+Contribution mass_energy(const ScalarCoefficients& coefficients) {
+  QuadraticEnergy energy;
+  energy.add_stiffness({0, {}}, {0, {}}, coefficients.mass);
   return {energy};
 }
 

@@ -15,12 +15,15 @@ struct ScalarCoefficients {
   Field reaction = 0.0;
   Field source = 0.0;
   std::vector<Field> advection;  ///< empty for none
+  /// Of eigenvalues: −∇·(K ∇u) + reaction u = λ m u.
+  Field mass = 1.0;
 };
 
 /// Whether a coefficient contains the solution.
 bool depend_on_solution(const ScalarCoefficients& coefficients);
 
-/// The coefficients of `poisson` and `heat` as fields, materials chosen point by point.
+/// The coefficients of `poisson`, `heat`, `torsion` and `membrane` as fields, materials chosen
+/// point by point.
 ScalarCoefficients scalar_coefficients(const Problem& problem);
 
 /// Whether K is a multiple of the unit matrix.
@@ -32,6 +35,9 @@ std::vector<Field> conductive_flux(const ScalarCoefficients& coefficients, const
 
 /// ½ ∫ (∇u·K∇u + reaction u²) − ∫ source u.
 Contribution volume_energy(const ScalarCoefficients& coefficients, int dimension);
+
+/// ½ ∫ m u².
+Contribution mass_energy(const ScalarCoefficients& coefficients);
 
 /// The boundary terms of a natural condition, with ∂u/∂n the outward derivative: `flux` q = n·K∇u
 /// gives −∫ q u; `convection` n·K∇u = h (u∞ − u) gives ∫ (½ h u² − h u∞ u); `robin`

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "basis/tensor_polynomials.hpp"
 #include "core/error.hpp"
 #include "core/regular_form.hpp"
+#include "problems/holes.hpp"
 #include "problems/partial_coverage.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/regular_data.hpp"
@@ -83,6 +85,23 @@ void pin_one(LinearSystem& system) {
   system.right_hand_side[pinned] = 0;
 }
 
+PolynomialFamily polynomial_family(const Discretization& discretization) {
+  using Kind = PolynomialFamily::Kind;
+  PolynomialFamily family{Kind::legendre, discretization.degree, discretization.total_degree};
+  if (discretization.basis == Discretization::Basis::chebyshev) family.kind = Kind::chebyshev;
+  if (discretization.basis == Discretization::Basis::power) family.kind = Kind::power;
+  if (discretization.basis == Discretization::Basis::trigonometric)
+    family.kind = Kind::trigonometric;
+  return family;
+}
+
+// Cells on which functions of the whole domain are integrated, and Gauss points in each: they turn
+// about once per cell.
+int global_cells(const Discretization& discretization) {
+  return std::max(8, discretization.degree);
+}
+constexpr int global_points = 8;
+
 }  // namespace
 
 Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells) {
@@ -96,6 +115,8 @@ Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> 
     std::copy_n(discretization.cells.begin(), problem.dimension, counts.begin());
     return Grid(box, counts);
   }
+  if (discretization.basis != Discretization::Basis::bspline)
+    return Grid::with_square_cells(box, global_cells(discretization));
   const double size = discretization.cell_size.value_or(box.longest_side() / 64);
   return Grid::with_square_cells(
       box, std::max(1, static_cast<int>(std::ceil(box.longest_side() / size - 1e-9))));
@@ -114,6 +135,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
       interfaces_(problem),
       coefficients_(problem.physics.custom ? ScalarCoefficients{} : scalar_coefficients(problem)) {
   check_method(problem);
+  if (problem.study.type == Study::Type::eigen || has_global_functions()) check_equations();
   // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
   // with few points.
   QuadratureOptions coarse;
@@ -125,6 +147,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
     if (!region_.region().primitives()[k]->selects_only &&
         probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
+  if (problem.physics.type == PhysicsType::torsion) check_torsion(probe);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_, probe);
   check_within_grid(probe);
   check_parts(problem, region_, bounding_primitives_, probe);
@@ -179,6 +202,33 @@ void ScalarProblem::check_within_grid(const DomainRule& rule) const {
          domain_place(problem_));
 }
 
+bool ScalarProblem::has_global_functions() const {
+  return problem_.discretization.basis != Discretization::Basis::bspline;
+}
+
+void ScalarProblem::check_equations() const {
+  using Method = Discretization::Method;
+  const Method method = problem_.discretization.method;
+  if (problem_.physics.custom || depend_on_solution(coefficients_) ||
+      !coefficients_.advection.empty() || method == Method::least_squares ||
+      method == Method::collocation)
+    refuse(fmt::format(
+               "{} of equations that do not follow from a quadratic energy are not "
+               "supported yet",
+               has_global_functions() ? "functions of the whole domain for solutions" : "modes"),
+           problem_.document.place);
+}
+
+void ScalarProblem::check_torsion(const DomainRule& rule) const {
+  if (problem_.dimension != 2)
+    refuse("torsion is that of a cross-section: dimension 2", domain_place(problem_));
+  if (euler_characteristic(region_, bounds_, rule, bounding_primitives_) < 0.5)
+    refuse(
+        "torsion of a section with holes, on each of which u is a constant of its own, is not "
+        "supported yet",
+        domain_place(problem_));
+}
+
 void ScalarProblem::check_no_robin() const {
   for (const PieceCondition& condition : conditions_)
     if (condition.kind == Condition::Kind::robin)
@@ -192,8 +242,10 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
                                int more_points) const {
   const int degree = problem_.discretization.degree;
   QuadratureOptions options;
-  options.inside_points = problem_.discretization.quadrature_order.value_or(degree + 1);
-  options.cut_points = problem_.discretization.quadrature_order.value_or(degree + 3);
+  const bool global = has_global_functions();
+  const std::optional<int> order = problem_.discretization.quadrature_order;
+  options.inside_points = order.value_or(global ? global_points : degree + 1);
+  options.cut_points = order.value_or(global ? global_points + 2 : degree + 3);
   options.gradings = problem_.discretization.gradings;
   options.inside_points += more_points;
   options.cut_points += more_points;
@@ -229,8 +281,10 @@ std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   // The penalty of Nitsche's method scales as p²/h; 20 keeps the boundary residual small against
   // the error inside.
   const int degree = problem_.discretization.degree;
-  double spacing = grid.spacing(0);
-  for (int axis = 1; axis < dimension; ++axis) spacing = std::min(spacing, grid.spacing(axis));
+  double spacing = INFINITY;
+  for (int axis = 0; axis < dimension; ++axis)
+    spacing =
+        std::min(spacing, has_global_functions() ? grid.box().length(axis) : grid.spacing(axis));
   const double penalty = 20.0 * degree * degree / spacing;
   for (const DirichletPlan& plan : plans_)
     for (const PieceCondition& condition : plan.weakly)
@@ -300,6 +354,10 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
         "{:.2g} in the divergence theorem; use more cells",
         solution.rule.measure(), solution.rule.report().divergence_defect));
 
+  if (problem_.study.type == Study::Type::eigen || has_global_functions()) {
+    solve_equations(solution);
+    return solution;
+  }
   const std::vector<TensorProductSpace> functions = spaces(solution.rule);
   solution.unknowns = coefficient_count(functions);
   const bool free_constant = fixed_up_to_constant();
@@ -385,14 +443,86 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   solution.seconds.solve = solve.seconds();
 }
 
+Equations ScalarProblem::equations(const DomainRule& rule) const {
+  const bool eigen = problem_.study.type == Study::Type::eigen;
+  EquationTerms terms;
+  if (!problem_.physics.custom) terms.stiffness = contributions(rule.grid());
+  if (eigen) terms.mass = {mass_energy(coefficients_)};
+  std::vector<Structure> structures;
+  for (const Structure& structure : structures_)
+    structures.push_back(eigen ? homogeneous_part(structure) : structure);
+  if (!has_global_functions())
+    return Equations(std::move(structures), spaces(rule), std::move(terms), rule);
+  const auto functions = std::make_shared<TensorPolynomials>(
+      rule.grid().box(), polynomial_family(problem_.discretization));
+  return Equations(std::move(structures), GlobalSpaces{functions}, std::move(terms), rule);
+}
+
+// Problems with an energy, of one unknown.
+void ScalarProblem::solve_equations(ScalarSolution& solution) const {
+  const Equations equations = this->equations(solution.rule);
+  solution.unknowns = equations.size();
+  solution.results.dimension = problem_.dimension;
+  if (problem_.study.type == Study::Type::eigen) return solve_eigen(equations, solution);
+  const bool free_constant = fixed_up_to_constant();
+  if (free_constant) check_compatible(solution.rule);
+  Stopwatch assembly;
+  LinearSystem system = equations.steady();
+  if (free_constant) pin_one(system);
+  solution.seconds.assembly = assembly.seconds();
+
+  Stopwatch solve;
+  solution.linear = rfm::solve(system, linear_options());
+  Field u = equations.fields(solution.linear.coefficients)[0];
+  solution.results.unknowns = {{problem_.physics.unknowns[0], u}};
+  solution.energy = stored_energy(system, equations.terms().stiffness, solution);
+  if (free_constant) {
+    u = u - integrate(u, solution.rule) / solution.rule.measure();
+    solution.results.unknowns[0].field = u;
+    solution.mean_set_to_zero = true;
+  }
+  solution.results.flux = conductive_flux(coefficients_, u, problem_.dimension);
+  solution.boundary_residual = boundary_residual(solution);
+  solution.seconds.solve = solve.seconds();
+}
+
+void ScalarProblem::solve_eigen(const Equations& equations, ScalarSolution& solution) const {
+  Stopwatch assembly;
+  equations.stiffness();
+  equations.mass();
+  solution.seconds.assembly = assembly.seconds();
+
+  Stopwatch solve;
+  const EigenResult& eigen = solution.eigen.emplace(find_modes(equations, problem_.study, bounds_));
+  solution.results.unknowns = {{problem_.physics.unknowns[0], eigen.modes[0]}};
+  solution.results.modes = eigen.modes;
+  solution.results.flux = conductive_flux(coefficients_, eigen.modes[0], problem_.dimension);
+  solution.energy = 0.5 * eigen.values[0];  // of a mode of unit mass
+  solution.linear.relative_residual = std::ranges::max(eigen.residuals);
+  for (const Field& mode : eigen.modes)
+    solution.boundary_residual =
+        std::max(solution.boundary_residual, boundary_residual({mode}, solution.rule));
+  solution.seconds.solve = solve.seconds();
+}
+
 double ScalarProblem::boundary_residual(const ScalarSolution& solution) const {
+  std::vector<Field> fields;
+  for (const ScalarResults::Unknown& unknown : solution.results.unknowns)
+    fields.push_back(unknown.field);
+  return boundary_residual(fields, solution.rule);
+}
+
+double ScalarProblem::boundary_residual(const std::vector<Field>& fields,
+                                        const DomainRule& rule) const {
+  const bool eigen = problem_.study.type == Study::Type::eigen;
   double largest = 0;
   for (const PieceCondition& condition : conditions_) {
     if (condition.kind != Condition::Kind::value) continue;
-    Field residual = solution.results.unknowns[condition.component].field - condition.data[0];
+    Field residual = fields[condition.component];
+    if (!eigen) residual = residual - condition.data[0];
     if (condition.where) residual = select(step(*condition.where), residual, 0.0);
-    largest = std::max(largest, maximum(residual, solution.rule,
-                                        {Contribution::Place::boundary, {condition.primitive}}));
+    largest = std::max(
+        largest, maximum(residual, rule, {Contribution::Place::boundary, {condition.primitive}}));
   }
   return largest;
 }

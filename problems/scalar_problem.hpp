@@ -9,11 +9,13 @@
 #include "core/bounding_box.hpp"
 #include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
+#include "problems/eigen_study.hpp"
 #include "problems/problem_interfaces.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/equations.hpp"
 #include "solvers/form.hpp"
 #include "solvers/linear_solver.hpp"
 #include "solvers/newton.hpp"
@@ -46,6 +48,7 @@ struct ScalarSolution {
   /// The steps of a nonlinear problem, and the order of convergence that they show.
   std::vector<NewtonIteration> newton{};
   std::optional<double> newton_order{};
+  std::optional<EigenResult> eigen{};  ///< of an eigenproblem, whose first mode is the unknown
   SolveSeconds seconds;
 };
 
@@ -87,6 +90,9 @@ class ScalarProblem {
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
   ScalarSolution solve(const Grid& grid) const;
+  /// The equations of an eigenproblem, which are homogeneous, or of a linear problem with an
+  /// energy, on the grid of `rule`, which must outlive them.
+  Equations equations(const DomainRule& rule) const;
 
  private:
   void plan_values(const DomainRule& probe);
@@ -100,14 +106,20 @@ class ScalarProblem {
   void solve_forms(const std::vector<Form>& equations,
                    const std::vector<TensorProductSpace>& functions,
                    ScalarSolution& solution) const;
+  bool has_global_functions() const;
+  void solve_equations(ScalarSolution& solution) const;
+  void solve_eigen(const Equations& equations, ScalarSolution& solution) const;
   LinearSolverOptions linear_options() const;
   bool fixed_up_to_constant() const;
   void check_within_grid(const DomainRule& rule) const;
   void check_no_robin() const;
+  void check_torsion(const DomainRule& rule) const;
+  void check_equations() const;
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
                        const ScalarSolution& solution) const;
   double boundary_residual(const ScalarSolution& solution) const;
+  double boundary_residual(const std::vector<Field>& fields, const DomainRule& rule) const;
 
   const Problem& problem_;
   RegionEvaluator region_;

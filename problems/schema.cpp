@@ -99,7 +99,6 @@ void extend_coefficients(SchemaKey& physics) {
     file.types = file_value;
     file.presence = required;
     file.doc = "Another problem file, which is solved first.";
-    file.status = Status::later;
     SchemaKey field = file;
     field.name = "field";
     field.path = key.path + ".field";
@@ -189,10 +188,7 @@ std::string type_text(const SchemaKey& key) {
   std::vector<std::string> parts;
   for (const auto& [type, name] : names) {
     // {from: file} of coefficients is an exotic form: not offered to somebody in error.
-    const bool offered = type != map_value || key.keys.empty() ||
-                         std::ranges::any_of(key.keys, [](const SchemaKey& child) {
-                           return child.status == Status::works;
-                         });
+    const bool offered = type != map_value || key.keys.empty() || key.keys[0].name != "from";
     if (key.takes(type) && offered) parts.emplace_back(name);
   }
   std::string text;

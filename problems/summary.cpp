@@ -70,6 +70,15 @@ void add_corners(ordered_json& measures, const ScalarProblem& problem) {
     measures["edges"] = make_edge_rule(region, problem.bounds()).points.length();
 }
 
+void add_eigenvalues(ordered_json& summary, const EigenResult& eigen, const RunReport& report) {
+  summary["eigenvalues"] = eigen.values;
+  summary["frequencies"] = eigen.frequencies();
+  summary["modes"] = {
+      {"residuals", eigen.residuals}, {"present", eigen.present}, {"below", eigen.upper}};
+  if (report.eigenvalue_error)
+    summary["errors"]["eigenvalues"]["relative"] = *report.eigenvalue_error;
+}
+
 std::string method_name(LinearSolution::Method method) {
   switch (method) {
     case LinearSolution::Method::cholesky:
@@ -126,6 +135,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   if (report.errors)
     for (const auto& [name, errors] : report.errors->by_unknown)
       summary["errors"][name] = as_json(errors);
+  if (solution.eigen) add_eigenvalues(summary, *solution.eigen, report);
   add_probes(summary, report.probes, file.dimension);
   if (!report.relations.empty())
     summary["relations"] = relations_json(report.relations, file.dimension);
@@ -133,6 +143,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     ordered_json entry{{"cells", row.cells}, {"unknowns", row.unknowns}};
     if (row.errors) entry.update(as_json(*row.errors));
     if (row.change) entry["change_L2_relative"] = *row.change;
+    if (row.eigenvalue_error) entry["eigenvalues_relative"] = *row.eigenvalue_error;
     summary["convergence"].push_back(std::move(entry));
   }
   for (const RunReport::OrderCheck& check : report.orders) {
@@ -142,15 +153,16 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     entry["ok"] = check.ok;
     summary["orders"].push_back(std::move(entry));
   }
-  summary["trust"] = {{"divergence_defect", quadrature.divergence_defect},
-                      {"order_difference",
-                       {{"domain", quadrature.order_difference.volume},
-                        {"boundary_total", quadrature.order_difference.boundary}}},
-                      {"uncertified_measure", quadrature.uncertified.measure},
-                      {"uncertified_boundary", quadrature.uncertified.boundary},
-                      {"linear_residual", solution.linear.relative_residual},
-                      {"linear_solver", method_name(solution.linear.method)},
-                      {"dropped_splines", solution.linear.dropped}};
+  summary["trust"] = {
+      {"divergence_defect", quadrature.divergence_defect},
+      {"order_difference",
+       {{"domain", quadrature.order_difference.volume},
+        {"boundary_total", quadrature.order_difference.boundary}}},
+      {"uncertified_measure", quadrature.uncertified.measure},
+      {"uncertified_boundary", quadrature.uncertified.boundary},
+      {"linear_residual", solution.linear.relative_residual},
+      {"linear_solver", solution.eigen ? "lanczos" : method_name(solution.linear.method)},
+      {"dropped_splines", solution.linear.dropped}};
   constexpr int most_cells = 5;
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);

@@ -13,6 +13,7 @@ namespace rfm {
 /// Everything that a run found out: what `summary.json` is rendered from.
 struct RunReport {
   std::optional<ErrorReport> errors;
+  std::optional<double> eigenvalue_error;  ///< the largest, relative
   std::vector<ProbeResult> probes;
   std::vector<RelationAnswer> relations;
   std::vector<ConvergenceRow> convergence;

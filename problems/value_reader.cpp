@@ -115,7 +115,9 @@ std::optional<Box> ValueReader::box(const DocumentNode& map) const {
 }
 
 std::optional<Field> ValueReader::field(const DocumentNode& node) const {
-  if (!fits(node) || !node.is_scalar()) return std::nullopt;
+  if (!fits(node)) return std::nullopt;
+  if (node.is_map()) return guarded<Field>(node, [&] { return result_of_other_problem(node); });
+  if (!node.is_scalar()) return std::nullopt;
   return guarded<Field>(node, [&] { return to_field(Expression(node.text), scope); });
 }
 

@@ -28,6 +28,8 @@ class ValueReader {
   ExpressionScope scope;
   /// Stand-ins for what the problem will have as results.
   ScalarResults results;
+  /// The result of another problem file that a map {from: file, field: name} asks for.
+  std::function<Field(const DocumentNode&)> result_of_other_problem;
 
   /// The value of a key of a map, if it is there and fits the table.
   const DocumentNode* find(const DocumentNode& map, std::string_view key) const;

@@ -60,6 +60,11 @@ std::optional<ErrorReport> solution_errors(const ScalarProblem& problem, const G
   return report;
 }
 
+std::optional<double> ConvergenceRow::error(const std::string& norm) const {
+  if (norm == "eigenvalues") return eigenvalue_error;
+  return errors ? std::optional(errors->by_name(norm)) : std::nullopt;
+}
+
 double observed_order(double coarse_error, double fine_error, int coarse_cells, int fine_cells) {
   return std::log(coarse_error / fine_error) / std::log(double(fine_cells) / coarse_cells);
 }

@@ -37,6 +37,11 @@ struct ConvergenceRow {
   std::optional<SolutionErrors> errors;
   /// Change of u from the grid before, in L2 relative to u, where there is no exact solution.
   std::optional<double> change;
+  /// The largest relative error of the eigenvalues where the exact ones are known.
+  std::optional<double> eigenvalue_error{};
+
+  /// The error called L2, H1, max or eigenvalues in problem files, if it is known.
+  std::optional<double> error(const std::string& norm) const;
 };
 
 /// The observed order between two rows: log(e₁/e₂) / log(cells₂/cells₁).

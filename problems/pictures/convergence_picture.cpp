@@ -18,7 +18,8 @@ struct ErrorCurve {
 };
 
 std::vector<ErrorCurve> error_curves(const std::vector<ConvergenceRow>& rows) {
-  ErrorCurve l2{"L2", 0, {}}, h1{"H1", 1, {}}, change{"change in L2", 0, {}};
+  ErrorCurve l2{"L2", 0, {}}, h1{"H1", 1, {}}, change{"change in L2", 0, {}},
+      eigenvalues{"eigenvalues", 2, {}};
   const auto add = [](ErrorCurve& curve, int cells, double error) {
     if (error > 0 && std::isfinite(error)) curve.points.push_back({double(cells), error});
   };
@@ -26,8 +27,9 @@ std::vector<ErrorCurve> error_curves(const std::vector<ConvergenceRow>& rows) {
     if (row.errors) add(l2, row.cells, row.errors->l2);
     if (row.errors) add(h1, row.cells, row.errors->h1);
     if (row.change) add(change, row.cells, *row.change);
+    if (row.eigenvalue_error) add(eigenvalues, row.cells, *row.eigenvalue_error);
   }
-  std::vector<ErrorCurve> curves{l2, h1, change};
+  std::vector<ErrorCurve> curves{l2, h1, change, eigenvalues};
   std::erase_if(curves, [](const ErrorCurve& curve) { return curve.points.size() < 2; });
   return curves;
 }

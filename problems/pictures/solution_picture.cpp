@@ -8,7 +8,11 @@ namespace rfm {
 
 Image draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
                     const Picture& picture, std::vector<std::string>& remarks) {
-  const ShownField shown = shown_field(problem.problem(), solution, picture);
+  return draw_shown(problem, shown_field(problem.problem(), solution, picture), picture, remarks);
+}
+
+Image draw_shown(const ScalarProblem& problem, const ShownField& shown, const Picture& picture,
+                 std::vector<std::string>& remarks) {
   switch (problem.problem().dimension) {
     case 1:
       return draw_line(problem, shown, picture, remarks);

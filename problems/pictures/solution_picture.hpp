@@ -1,7 +1,7 @@
 #pragma once
 
 #include "problems/output/image.hpp"
-#include "problems/scalar_problem.hpp"
+#include "problems/pictures/shown_field.hpp"
 
 namespace rfm {
 
@@ -12,5 +12,8 @@ namespace rfm {
 /// could not be drawn.
 Image draw_solution(const ScalarProblem& problem, const ScalarSolution& solution,
                     const Picture& picture, std::vector<std::string>& remarks);
+/// The same for a field that need not be the one that `picture` names.
+Image draw_shown(const ScalarProblem& problem, const ShownField& shown, const Picture& picture,
+                 std::vector<std::string>& remarks);
 
 }  // namespace rfm

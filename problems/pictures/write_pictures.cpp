@@ -1,6 +1,7 @@
 #include "problems/pictures/write_pictures.hpp"
 
 #include "problems/pictures/convergence_picture.hpp"
+#include "problems/pictures/modes_picture.hpp"
 #include "problems/pictures/shown_field.hpp"
 #include "problems/pictures/solution_picture.hpp"
 
@@ -18,6 +19,7 @@ std::vector<std::string> write_pictures(ResultFolder& folder, const std::string&
   plain.field = problem.problem().physics.unknowns[0];
   const Picture picture = problem.problem().outputs.picture.value_or(plain);
   add(name + ".png", draw_solution(problem, solution, picture, remarks));
+  if (solution.eigen) add(name + ".modes.png", draw_modes(problem, solution, picture, remarks));
   if (const auto image =
           draw_convergence(convergence, shown_title(problem.problem()), picture.width))
     add(name + ".convergence.png", *image);
