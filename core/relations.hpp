@@ -58,8 +58,12 @@ struct RegionDistance {
 
 /// min |p − q| over p in a, q in b (compact regions, with their bounding boxes). Pairs of boxes are
 /// divided, the nearest first, until the bounds are `tolerance` apart (an absolute length) or
-/// `most_pairs` were looked at. Throws `InvalidArgument` if one of them is empty or they differ in
-/// dimension.
+/// `most_pairs` were looked at (more if none of them showed a point of both). The upper bound comes
+/// from a local search and is right to rounding as soon as its place is found; the lower one from
+/// multipliers (core/shortest_way.hpp), which prove an isolated minimum on boxes that are as large
+/// as curvatures allow. Where points of a whole curve are equally near, the number of pairs grows
+/// as tolerance^(−1/3). Throws `InvalidArgument` if one of the regions is empty, if no points of
+/// both are found, or if they differ in dimension.
 RegionDistance distance_between(const RegionEvaluator& a, const Box& bounds_a,
                                 const RegionEvaluator& b, const Box& bounds_b, double tolerance,
                                 int most_pairs = 400000);
