@@ -47,9 +47,9 @@ TEST(RegionDistance, OfBallsIsThatOfTheirCentresLessTheirRadii) {
     const Point q{uniform(2, 4), uniform(2, 4), uniform(2, 4)};
     const double r = uniform(0.2, 0.9), s = uniform(0.2, 0.9);
     expect_distance(circle(p, r), circle(q, s), std::hypot(p[0] - q[0], p[1] - q[1]) - r - s, 1e-12,
-                    100);
+                    200);
     expect_distance(sphere(p, r), sphere(q, s),
-                    std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - r - s, 1e-12, 100);
+                    std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - r - s, 1e-12, 200);
   }
 }
 
