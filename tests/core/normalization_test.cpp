@@ -79,6 +79,16 @@ TEST_P(Order, IsLostWithALowerExponent) {
   }
 }
 
+TEST(Normalization, IsFormula49) {
+  // f/√(f² + |∇f|²): ±1 where the gradient vanishes, between −1 and 1 everywhere.
+  const Field x = x_coordinate(), y = y_coordinate();
+  const Field omega = normalize(3 - x * x - 2 * y * y, 2);
+  EXPECT_DOUBLE_EQ(evaluate(omega, {0, 0}, 0, 2).derivative(0, 0), 1);
+  EXPECT_DOUBLE_EQ(evaluate(omega, {1, 0.5}, 0, 2).derivative(0, 0),
+                   1.5 / std::sqrt(1.5 * 1.5 + 4 + 4));
+  EXPECT_NEAR(evaluate(omega, {1e8, 0}, 0, 2).derivative(0, 0), -1, 1e-15);
+}
+
 TEST(Normalization, ChangesSignWithEachInversion) {
   // x₁ ∧ ¬(x₂ ∨ ¬x₃): inversion degrees 0, 1 and 2 (the example of theorem 4, mended).
   const Shape s = shapes(1);

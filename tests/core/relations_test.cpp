@@ -87,6 +87,57 @@ TEST(Relations, InclusionHasProofOrAWitness) {
   EXPECT_EQ(lies_in(plate, plate - hole, around(3, 2)).answer, Truth::no);
 }
 
+TEST(Relations, MembershipMeasuresDistancesWhateverTheSlope) {
+  // The level function 1 − x²/4 − y² has slope 2 at (0, 1).
+  const RegionEvaluator region(ellipse({0, 0}, {2, 1}));
+  EXPECT_EQ(membership(region, {0, 1 + 1.5e-3}, 2e-3), Truth::unknown);
+  EXPECT_EQ(membership(region, {0, 1 + 2.5e-3}, 2e-3), Truth::no);
+  EXPECT_EQ(membership(region, {0, 1 - 2.5e-3}, 2e-3), Truth::yes);
+}
+
+TEST(Relations, OnlyPointsWithinTheBoundsCount) {
+  // The disk ends at 0.7071 along the diagonal; its points nearest to these bounds lie outside.
+  const Region disk = circle({0, 0}, 1);
+  EXPECT_EQ(intersects(disk, disk, Box{2, {0.72, 0.72}, {2, 2}}).answer, Truth::no);
+  const Box wider{2, {0.7, 0.7}, {2, 2}};
+  const Relation corner = intersects(disk, disk, wider);
+  ASSERT_EQ(corner.answer, Truth::yes);
+  EXPECT_TRUE(wider.contains(*corner.witness));
+}
+
+TEST(Relations, WhatPokesOutByLessThanTheResolutionIsLeftOpen) {
+  RelationOptions coarse;
+  coarse.resolution = 1e-2;
+  const Region outer = circle({0, 0}, 1);
+  const Relation relation =
+      lies_in(circle({0.3, 0.1}, 1 - std::hypot(0.3, 0.1) + 1e-9), outer, around(2, 2), coarse);
+  EXPECT_NE(relation.answer, Truth::yes);
+  EXPECT_EQ(relation.undecided.has_value(), relation.answer == Truth::unknown);
+}
+
+TEST(Relations, TheNumberOfBoxesIsBounded) {
+  RelationOptions few;
+  few.resolution = 1e-15;
+  few.most_boxes = 50;
+  const Region disk = circle({0, 0}, 1);  // less itself, moved by less than any box can tell
+  const Relation relation = lies_in(disk, circle({1e-14, 0}, 1), around(2, 2), few);
+  EXPECT_LE(relation.boxes, 50);
+  EXPECT_EQ(relation.answer, Truth::unknown);
+  EXPECT_TRUE(relation.undecided);
+}
+
+TEST(Relations, AnAnswerOfYesLeavesNothingUndecided) {
+  // Two disks 1e-12 apart, of which a coarse resolution knows nothing, before a third one.
+  RelationOptions coarse;
+  coarse.resolution = 0.3;
+  const Region near = circle({-0.71, 0.013}, 0.2) & circle({-0.31 + 1e-12, 0.013}, 0.2);
+  EXPECT_EQ(has_points(RegionEvaluator(near), around(1, 2), coarse).answer, Truth::unknown);
+  const Relation relation =
+      has_points(RegionEvaluator(near | circle({0.6, 0.3}, 0.01)), around(1, 2), coarse);
+  EXPECT_EQ(relation.answer, Truth::yes);
+  EXPECT_FALSE(relation.undecided);
+}
+
 TEST(Relations, DistancesOfConvexBodiesAreTheirClosedForms) {
   const auto distance = [](const Region& a, const Region& b, double tolerance) {
     const RegionEvaluator first(a), second(b);

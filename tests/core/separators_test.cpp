@@ -118,6 +118,21 @@ TEST(Separators, PiecesOnOneCurveShareAPrimitive) {
   expect_inside(solid, pieces, 2.3);
 }
 
+TEST(Separators, SelectOnlyWhilePiecesBoundWithUnitSlope) {
+  const std::vector<ThinSet> wave{arc_set({0.5, 0}, 0.5, 0, pi), arc_set({1.5, 0}, 0.5, pi, 2 * pi),
+                                  arc_set({1, 0}, 1, pi, 2 * pi)};
+  const Region region = described_solid(wave, numbered(3)).region;
+  const std::vector<Point> on_pieces{{0.5, 0.5}, {1.5, -0.5}, {1, -1}};
+  ASSERT_GT(region.primitives().size(), 3u);
+  for (std::size_t k = 0; k < region.primitives().size(); ++k) {
+    const Primitive& primitive = *region.primitives()[k];
+    EXPECT_EQ(primitive.selects_only, k >= 3) << primitive.name;
+    if (k >= 3) continue;
+    const PointJet jet = evaluate(primitive.function, on_pieces[k], 1, 2);
+    EXPECT_NEAR(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 1, 1e-12);
+  }
+}
+
 TEST(Separators, OfATetrahedronAreNotNeeded) {
   const Point o{0, 0, 0}, a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1};
   const std::vector<ThinSet> faces{triangle_set(o, b, a), triangle_set(o, a, c),
