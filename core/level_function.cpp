@@ -111,7 +111,9 @@ Interval LevelFunction::value_bounds(const Box& box) const {
 }
 
 FunctionBounds LevelFunction::bounds(const Box& box) const {
-  FunctionBounds bounds = quadric_ ? quadric_->bounds(box) : tape_->bounds(box);
+  FunctionBounds bounds = quadric_   ? quadric_->bounds(box)
+                          : program_ ? program_->bounds(box)
+                                     : tape_->bounds(box);
   bounds.value = within(range_, bounds.value);
   return bounds;
 }

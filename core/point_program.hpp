@@ -10,10 +10,11 @@
 
 namespace rfm {
 
-/// An expression for value and gradient at single points, as roots are sought: the same rules as a
-/// tape's, for the operations that shapes are mostly made of, without what a tape carries along for
-/// blocks, orders and bounds; polynomials of degree ≤ 2 within the expression are one step. Value
-/// and three slopes are one vector of four numbers; along one axis they are two numbers. Immutable.
+/// An expression for value and gradient at single points, as roots are sought, and for their bounds
+/// over boxes: the same rules as a tape's, for the operations that shapes are mostly made of,
+/// without what a tape carries along for blocks and orders; polynomials of degree ≤ 2 within the
+/// expression are one step. Value and three slopes are one vector of four numbers; along one axis
+/// they are two numbers; bounds are Taylor models of first order. Immutable.
 class PointProgram {
  public:
   /// Nothing for expressions with other operations, other coordinates than x, y, z, or too many
@@ -24,6 +25,9 @@ class PointProgram {
   /// `slope` receives ∂/∂(axis).
   double value_and_slope(const Point& point, int axis, double& slope) const;
   double value_and_gradient(const Point& point, Point& gradient) const;
+  /// Rigorous bounds of value and gradient, of second order in the size of the box; see
+  /// `Tape::bounds`.
+  FunctionBounds bounds(const Box& box) const;
 
  private:
   enum class Code : std::uint8_t {
@@ -61,6 +65,10 @@ class PointProgram {
   template <class Rules>
   typename Rules::Number run(const Rules& rules, const Point& point) const;
 
+  template <int N>
+  FunctionBounds bounds_in(const Box& box) const;
+
+  int dimension_ = 0;
   std::vector<Step> steps_;
   std::vector<QuadricEvaluator> quadrics_;
 };

@@ -19,6 +19,7 @@ class PointProgram::Compiler {
   }
 
   std::optional<PointProgram> run(int root) {
+    result_.dimension_ = dimension_;
     needed_[root] = true;
     for (int i = root; i >= 0; --i) {
       if (!needed_[i] || is_step(i)) continue;

@@ -98,15 +98,27 @@ Interval completed_bounds(const Quadric& quadric, const Box& box) {
     linear[i] = quadric.linear[i];
     for (int j = 0; j < dimension; ++j) square[i][j] = quadric.square[square_index(i, j)];
   }
+  double residue = 0;
+  for (const double a : quadric.square) residue = std::max(residue, 0x1p-46 * std::fabs(a));
   Interval sum;
   std::array<bool, 3> done{};
+  // In a face of a box its coordinate is a number: completed with it, the others would not cancel.
+  for (int i = 0; i < dimension; ++i) {
+    if (box.low[i] != box.high[i]) continue;
+    done[i] = true;
+    constant = constant + (linear[i] + square[i][i] * t[i]) * t[i];
+    for (int j = 0; j < dimension; ++j)
+      if (!done[j]) linear[j] = linear[j] + Interval(2) * square[i][j] * t[i];
+  }
   for (int step = 0; step < dimension; ++step) {
     int axis = -1;
     for (int i = 0; i < dimension; ++i)
       if (!done[i] && (axis < 0 || square[i][i].mignitude() > square[axis][axis].mignitude()))
         axis = i;
+    if (axis < 0) break;
     const Interval a = square[axis][axis];
-    if (!a.excludes_zero()) break;
+    // What rounding left of zero is no square to complete: the axis would be shifted by 1/residue.
+    if (a.mignitude() <= residue) break;
     done[axis] = true;
     Interval shift = linear[axis] / (Interval(2) * a);
     for (int j = 0; j < dimension; ++j)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/quadric_evaluator.hpp"
+#include "core/quadric_model.hpp"
 
 namespace rfm {
 namespace {
@@ -55,7 +56,10 @@ struct Expansion {
       above += most;
       below += least;
       linear_extent += slope * r;
+      curve_middle += 0.5 * curve;
+      curve_radius += 0.5 * std::fabs(curve);
     }
+    middle_value = value;
     margin = value_margin * size;
     range = {value + below - mixed, value + above + mixed};
   }
@@ -79,10 +83,35 @@ struct Expansion {
 
   std::array<double, 3> radius{}, gradient{}, gradient_radius{}, gradient_size{};
   double mixed = 0, linear_extent = 0, margin = 0;
+  // The value at the centre; Σ aᵢᵢ dᵢ² lies about `curve_middle`.
+  double middle_value = 0, curve_middle = 0, curve_radius = 0;
   Interval range;
 };
 
 }  // namespace
+
+// Twice the margins of plain bounds: the centre of the models is that of the box in rounded
+// numbers.
+QuadricModel::QuadricModel(const QuadricEvaluator& quadric, const Box& box) {
+  constexpr double smallest = std::numeric_limits<double>::min();
+  const Expansion expansion(quadric, box);
+  value.value = expansion.middle_value + expansion.curve_middle;
+  value.error = expansion.curve_radius + expansion.mixed + 2 * expansion.margin + smallest;
+  value.range = expansion.enclosed_value(quadric, box);
+  for (int i = 0; i < box.dimension; ++i) {
+    value.slope[i] = expansion.gradient[i];
+    if (expansion.gradient_size[i] == 0) continue;
+    TaylorBound& slope = slopes[i];
+    slope.value = expansion.gradient[i];
+    for (int j = 0; j < box.dimension; ++j)
+      slope.slope[j] = 2 * quadric.square[Quadric::square_index(i, j)];
+    slope.error = 2 * Expansion::gradient_margin * expansion.gradient_size[i] + smallest;
+    slope.range = expansion.enclosed_gradient(i);
+  }
+  const bool finite = std::isfinite(value.value) && std::isfinite(value.error);
+  if (!finite || !value.range.contains(value.value))
+    value = TaylorBound::of_range(value.range, true);
+}
 
 Interval QuadricEvaluator::value_bounds(const Box& box) const {
   return Expansion(*this, box).enclosed_value(*this, box);

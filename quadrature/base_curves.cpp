@@ -39,6 +39,11 @@ Interval Reduction3D::existence(int surface, double outer_coordinate) const {
   line.through[outer()] = outer_coordinate;
   std::array<Crossing, 2> ends;
   for (int end = 0; end < 2; ++end) {
+    const Truth sign = end_signs_[surface][end];
+    if (sign != Truth::unknown) {
+      ends[end].starts_positive = sign == Truth::yes;
+      continue;
+    }
     line.through[height_] = end == 0 ? box_.low[height_] : box_.high[height_];
     ends[end] = find_crossing(*active_->surfaces[surface], line);
   }

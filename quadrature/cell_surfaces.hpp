@@ -2,14 +2,12 @@
 
 #include <functional>
 
+#include "quadrature/breakpoints.hpp"
 #include "quadrature/cell_classification.hpp"
 #include "quadrature/subdivision.hpp"
 #include "quadrature/surface_candidates.hpp"
 
 namespace rfm {
-
-/// Coordinates, per axis, where integrands are not smooth: rules are split there.
-using Breakpoints = std::array<std::vector<double>, 3>;
 
 /// The surfaces of a region and its interfaces, ready to be put into active sets cell by cell.
 class CellSurfaces {

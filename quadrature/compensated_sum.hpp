@@ -12,6 +12,10 @@ class CompensatedSum {
     correction_ += std::fabs(sum_) >= std::fabs(term) ? (sum_ - next) + term : (term - next) + sum_;
     sum_ = next;
   }
+  void add(const CompensatedSum& other) {
+    add(other.sum_);
+    correction_ += other.correction_;
+  }
   double value() const { return sum_ + correction_; }
 
  private:

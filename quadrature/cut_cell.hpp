@@ -1,16 +1,11 @@
 #pragma once
 
+#include "quadrature/cell_measure.hpp"
 #include "quadrature/gauss_legendre.hpp"
 #include "quadrature/quadrature_points.hpp"
 #include "quadrature/subdivision.hpp"
 
 namespace rfm {
-
-/// Sums of the weights of a rule.
-struct CellMeasure {
-  double volume = 0;
-  double boundary = 0;
-};
 
 struct CellRuleOptions {
   /// Gauss points per one-dimensional piece.

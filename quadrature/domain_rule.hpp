@@ -1,8 +1,12 @@
 #pragma once
 
-#include "quadrature/cell_surfaces.hpp"
-#include "quadrature/cut_cell.hpp"
+#include "quadrature/breakpoints.hpp"
+#include "quadrature/cell_classification.hpp"
+#include "quadrature/cell_measure.hpp"
+#include "quadrature/gauss_legendre.hpp"
 #include "quadrature/grading.hpp"
+#include "quadrature/quadrature_points.hpp"
+#include "quadrature/subdivision_options.hpp"
 
 namespace rfm {
 

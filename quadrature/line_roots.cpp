@@ -55,7 +55,7 @@ double polished_root(const Surface& surface, const LineSegment& line, const Ends
 
 }  // namespace
 
-Crossing find_crossing(const Surface& surface, const LineSegment& line) {
+Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth low, Truth high) {
   work_done += surface.cost().crossing;
   Point point = line.at(line.low);
   double slope_low = 0;
@@ -63,12 +63,15 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line) {
   point[line.axis] = line.high;
   const double value_high = surface.value(point);
   Crossing crossing;
-  crossing.starts_positive = value_low >= 0;
-  crossing.exists = crossing.starts_positive != (value_high >= 0);
+  const bool computed_low = value_low >= 0, computed_high = value_high >= 0;
+  crossing.starts_positive = low == Truth::unknown ? computed_low : low == Truth::yes;
+  crossing.exists =
+      crossing.starts_positive != (high == Truth::unknown ? computed_high : high == Truth::yes);
   constexpr double rounding = 1e-11;
   const double size_low = std::fabs(value_low), size_high = std::fabs(value_high);
   crossing.at_end = size_low <= rounding * size_high || size_high <= rounding * size_low;
-  if (!crossing.exists) {
+  // Where the values do not show the crossing it is at an end.
+  if (!crossing.exists || computed_low == computed_high) {
     crossing.position = size_low < size_high ? line.low : line.high;
     return crossing;
   }
@@ -90,7 +93,8 @@ LineRoots find_line_roots(const ActiveSet& active, SurfaceSigns parallel, const 
         roots.start |= 1u << surface;
       continue;
     }
-    const Crossing crossing = find_crossing(*active.surfaces[surface], line);
+    const Crossing crossing = find_crossing(*active.surfaces[surface], line,
+                                            line.ends[0].of(surface), line.ends[1].of(surface));
     if (crossing.starts_positive) roots.start |= 1u << surface;
     roots.at_end |= crossing.at_end;
     if (!crossing.exists) continue;

@@ -4,12 +4,26 @@
 
 namespace rfm {
 
+/// Surfaces whose sign at an end of a segment is known although they may touch it: by their values,
+/// zero up to rounding, it would be chance.
+struct EndSigns {
+  SurfaceSigns known = 0;
+  SurfaceSigns positive = 0;
+
+  Truth of(int surface) const {
+    if (!(known >> surface & 1)) return Truth::unknown;
+    return positive >> surface & 1 ? Truth::yes : Truth::no;
+  }
+};
+
 /// The segment of a line parallel to `axis` through `through`.
 struct LineSegment {
   Point through{};
   int axis = 0;
   double low = 0;
   double high = 0;
+  /// At `low` and at `high`.
+  std::array<EndSigns, 2> ends{};
 
   Point at(double t) const {
     Point point = through;
@@ -28,7 +42,9 @@ struct Crossing {
   /// The surface passes an end of the segment within rounding: on which side of it is chance.
   bool at_end = false;
 };
-Crossing find_crossing(const Surface& surface, const LineSegment& line);
+/// `low` and `high` tell whether the surface is positive at the ends where that is known.
+Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth low = Truth::unknown,
+                       Truth high = Truth::unknown);
 
 /// The crossings of all surfaces with a segment, ascending, and the signs at its low end.
 struct LineRoots {

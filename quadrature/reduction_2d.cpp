@@ -12,6 +12,7 @@ void Reduction2D::build(const Plane& plane, const ActiveSet& active,
   bounds_ = bounds;
   frame_ = frame;
   certified_ = true;
+  touching_ = proofs.touching;
   vertical_ = 0;
   for (int i = 0; i < active.count; ++i)
     if (graph(i).is_vertical(plane)) vertical_ |= 1u << i;

@@ -17,6 +17,8 @@ struct PlaneProofs {
   std::array<std::array<Meeting, 2>, ActiveSet::capacity> ends;
   /// Graphs i < j with each other.
   std::array<std::array<Meeting, ActiveSet::capacity>, ActiveSet::capacity> crossings;
+  /// Surfaces that touch the bottom or the top without passing through it.
+  std::array<EndSigns, 2> touching{};
 
   PlaneProofs() {
     for (auto& end : ends) end.fill(Meeting::unknown);
@@ -70,7 +72,11 @@ class Reduction2D {
   bool certified() const { return certified_; }
 
   /// The segment of the height direction at a place of the base axis.
-  LineSegment line(double place) const { return height_line(plane_, graph(0), place); }
+  LineSegment line(double place) const {
+    LineSegment segment = height_line(plane_, graph(0), place);
+    segment.ends = touching_;
+    return segment;
+  }
   /// Intervals of the base axis shorter than this are empty up to rounding.
   double negligible_width() const { return 1e-14 * plane_.base_length(); }
 
@@ -89,6 +95,7 @@ class Reduction2D {
   const Frame* frame_ = nullptr;
   std::span<const FunctionBounds> bounds_;
   SurfaceSigns vertical_ = 0;
+  std::array<EndSigns, 2> touching_{};
   std::vector<Breakpoint> breakpoints_;
   std::vector<double> standing_, found_;
   std::vector<Wall> walls_;

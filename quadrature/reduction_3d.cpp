@@ -14,12 +14,9 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   height_ = height;
   certified_ = true;
   has_contacts_ = false;
-  // Bounds over the whole box often serve for traces too, and are known already.
-  if (!find_curves(false) && !options.best_effort) return Outcome::constant_surface;
-  if (!choose_inner({options.flatness, options.allow_contacts, false})) {
-    if (!find_curves(true) && !options.best_effort) return Outcome::constant_surface;
-    if (!choose_inner(options)) return Outcome::not_reduced;
-  }
+  constant_surface_ = -1;
+  if (!find_axes(options))
+    return constant_surface_ >= 0 ? Outcome::constant_surface : Outcome::not_reduced;
   set_proofs(options.in_haste);
   if (!options.in_haste && !accept_contacts() && !options.best_effort) return Outcome::not_reduced;
   find_breakpoints(options.in_haste);
@@ -29,15 +26,32 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   return Outcome::reduced;
 }
 
+// The curves of the base plane, and the inner axis over which they are graphs. Bounds over the
+// whole box often serve for traces too, and are known already; tight ones are found where these do
+// not do. Traces alone often tell that neither axis serves; crossings come after them.
+bool Reduction3D::find_axes(const Options& options) {
+  for (const bool tight : {false, true}) {
+    const bool all_change_sign = find_traces(tight, options);
+    if (!all_change_sign && !options.best_effort) return false;
+    const bool in_any_case = options.best_effort && tight;
+    if (!choose_inner(options, in_any_case)) continue;
+    if (!all_change_sign || active_->count == 1) return true;
+    narrow_graphs();
+    add_crossing_curves();
+    if (choose_inner(options, in_any_case)) return true;
+  }
+  return false;
+}
+
 void Reduction3D::set_proofs(bool in_haste) {
   for (auto& ends : proofs_.ends) ends.fill(Meeting::never);
   for (auto& row : proofs_.crossings) row.fill(Meeting::never);
+  proofs_.touching = touching_;
   outer_only_ = 0;
   for (Curve& curve : curves_) {
     const Interval& along = curve.gradient[inner_];
-    // What does not depend on the inner coordinate is constant in a section.
-    // In haste crossings are left out: they would take most of
-    // the time.
+    // What does not depend on the inner coordinate is constant in a section. In haste crossings
+    // serve to choose axes alone: to find them would take most of the time.
     curve.meeting = along.is_zero() || (curve.is_crossing && in_haste) ? Meeting::never
                     : curve.is_crossing && !along.excludes_zero()      ? Meeting::unknown
                                                                        : Meeting::at_most_once;

@@ -20,13 +20,14 @@ namespace rfm {
 /// Surfaces that only touch have no crossing curve that could be proved a graph. Where they touch
 /// their order does not change and nothing has to be split: with `allow_contacts` such a pair is
 /// accepted on the evidence of its critical points (see `only_touch`) and counted in
-/// `has_contacts`.
+/// `has_contacts`. So is a surface that touches bottom or top from one side: it has no trace there.
+/// Of quadrics the range on that side proves it; with `allow_contacts` others are accepted, too.
 class Reduction3D {
  public:
   struct Options {
     /// Curves may be as steep as 1 / flatness.
     double flatness = 0;
-    /// Pairs of surfaces that only touch may be accepted by evidence.
+    /// Surfaces that only touch each other or a side may be accepted by evidence.
     bool allow_contacts = false;
     /// Reduce in any case, uncertified.
     bool best_effort = false;
@@ -81,13 +82,15 @@ class Reduction3D {
   };
 
   bool is_vertical(int surface) const { return bounds_[surface].gradient[height_].is_zero(); }
-  bool find_curves(bool tight);
-  Truth add_trace(int surface, int end, bool tight);
+  bool find_axes(const Options& options);
+  bool find_traces(bool tight, const Options& options);
+  Truth add_trace(int surface, int end, bool tight, bool by_evidence);
+  Truth touching_sign(int surface, const Box& face, bool by_evidence);
   void narrow_graphs();
   void add_crossing_curves();
   bool proven_apart(int first, int second) const;
   bool coincide(int first, int second) const;
-  bool choose_inner(const Options& options);
+  bool choose_inner(const Options& options, bool in_any_case);
   bool accept_contacts();
   bool only_touch(const Curve& crossing) const;
   void set_proofs(bool in_haste);
@@ -128,6 +131,8 @@ class Reduction3D {
   bool constant_sign_ = false;
   std::vector<Curve> curves_;
   std::array<std::array<FunctionBounds, 2>, ActiveSet::capacity> traces_;
+  /// Signs of the graphs on bottom and top, where they have no trace.
+  std::array<std::array<Truth, 2>, ActiveSet::capacity> end_signs_;
   /// Of each graph: the heights it takes in the box, and bounds over these heights alone.
   std::array<Interval, ActiveSet::capacity> ranges_;
   std::array<FunctionBounds, ActiveSet::capacity> narrow_;
@@ -136,6 +141,7 @@ class Reduction3D {
   std::vector<std::optional<CurvePoint>> middles_;
   std::vector<Wall> walls_;
   SurfaceSigns outer_only_ = 0;
+  std::array<EndSigns, 2> touching_{};
   bool certified_ = true;
   bool has_contacts_ = false;
   Reduction2D section_;

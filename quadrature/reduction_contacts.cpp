@@ -1,34 +1,24 @@
-// Surfaces that touch: whether the order of two graphs stays the same although no bounds prove it.
+// Surfaces that touch each other or a side of the box: whether the order of two graphs, or the sign
+// of a surface on the side, stays the same although no bounds of slopes prove it.
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "quadrature/reduction_3d.hpp"
+#include "quadrature/sign_survey.hpp"
 
 namespace rfm {
 namespace {
 
-// A sign change of `function` by bisection with false position (Illinois), to `tolerance`.
-template <class Function>
-double sign_change(Function&& function, double low, double high, double value_low,
-                   double value_high, double tolerance) {
-  constexpr int max_steps = 60;
-  int last_side = 0;
-  for (int step = 0; step < max_steps && high - low > tolerance; ++step) {
-    double t = (low * value_high - high * value_low) / (value_high - value_low);
-    if (!(t > low && t < high) || step > max_steps / 3) t = 0.5 * (low + high);
-    const double value = function(t);
-    if (value == 0) return t;
-    const bool is_low = (value > 0) == (value_low > 0);
-    (is_low ? low : high) = t;
-    (is_low ? value_low : value_high) = value;
-    if (is_low && last_side < 0) value_high *= 0.5;
-    if (!is_low && last_side > 0) value_low *= 0.5;
-    last_side = is_low ? -1 : 1;
-  }
-  return 0.5 * (low + high);
-}
+// Of the height of the box: what is less is rounding.
+constexpr double rounding = 1e-12;
+// Of the height, for contacts with a side: sides of cells at the border of the grid, and the planes
+// that bisect these, are moved by 2⁻⁴⁰ of the cell. Where a graph passes through the side by ε on a
+// strip of width O(√ε) it is cut off at the side: an error of O(ε^1.5), and the whole graph is
+// counted in the box that holds the rest of it.
+constexpr double moved_side = 2e-11;
+// Of the width of the box: to this extrema are sought.
+constexpr double near = 1e-9;
 
 }  // namespace
 
@@ -47,74 +37,79 @@ bool Reduction3D::accept_contacts() {
   return accepted;
 }
 
-// The difference of the heights of two graphs has the same sign, up to rounding, at its extrema
-// along sections, and at the extrema of these from section to section. Several sections are looked
-// at; two extrema between neighbours could be missed.
+// The difference of the heights of two graphs has the same sign, up to rounding, at its extrema.
 bool Reduction3D::only_touch(const Curve& crossing) const {
-  constexpr int sections = 8;
-  const double same = 1e-12 * box_.length(height_);
   const int i = crossing.first, j = crossing.second;
-  bool positive = false, negative = false;
-  // Takes note of the extreme along a section and returns how it changes from section to section.
-  const auto visit = [&](double place) -> std::optional<double> {
-    const Interval p = existence(i, place), q = existence(j, place);
-    const double low = std::max(p.low, q.low), high = std::min(p.high, q.high);
-    if (!(low < high)) return {};
-    const Plane plane = section_plane(place);
-    const PlaneGraph first = section_graph(i, place), second = section_graph(j, place);
-    double value_there = 0;
-    const auto slope_at = [&](double inner) {
-      double slope = 0;
-      value_there = height_difference(plane, first, second, inner, slope);
-      positive |= value_there > same;
-      negative |= value_there < -same;
-      return slope;
-    };
-    const double at_low = slope_at(low), value_low = value_there;
-    const double at_high = slope_at(high), value_high = value_there;
-    // Where the difference is least: inside, or at an end of the section.
-    double extreme = std::fabs(value_low) < std::fabs(value_high) ? low : high;
-    if ((at_low > 0) != (at_high > 0))
-      extreme = sign_change(slope_at, low, high, at_low, at_high, 1e-9 * box_.length(inner_));
-    double change = 0;
-    const Plane across{box_, outer(), height_};
-    height_difference(across, section_graph(i, extreme), section_graph(j, extreme), place, change);
-    return change;
-  };
-  // Extrema from section to section show as changes of sign of the change.
-  const auto compare = [&](double from, double change_from, double to, double change_to) {
-    if ((change_from > 0) != (change_to > 0))
-      sign_change([&](double t) { return visit(t).value_or(0); }, from, to, change_from, change_to,
-                  1e-9 * box_.length(outer()));
-  };
-  // Where sections with both graphs end between `inside` and `outside`, by bisection.
-  const auto follow = [&](double inside, double change, double outside) {
-    double last = inside, last_change = change;
-    for (int step = 0; step < 30; ++step) {
-      const double middle = 0.5 * (last + outside);
-      if (const auto there = visit(middle))
-        last = middle, last_change = *there;
-      else
-        outside = middle;
-    }
-    if (inside < last)
-      compare(inside, change, last, last_change);
-    else
-      compare(last, last_change, inside, change);
-  };
-  std::optional<double> before;
-  double last = 0;
-  for (int k = 0; k <= sections; ++k) {
-    const double place = box_.low[outer()] + box_.length(outer()) * k / sections;
-    const std::optional<double> change = visit(place);
-    if (before && change) compare(last, *before, place, *change);
-    if (k > 0 && before && !change) follow(last, *before, place);
-    if (k > 0 && !before && change) follow(place, *change, last);
-    before = change;
-    last = place;
-    if (positive && negative) return false;
+  const Plane across{box_, outer(), height_};
+  SignSurvey survey(
+      [&](double place) {
+        const Interval p = existence(i, place), q = existence(j, place);
+        return Interval(std::max(p.low, q.low), std::min(p.high, q.high));
+      },
+      [&](double place, double inner, double& slope) {
+        return height_difference(section_plane(place), section_graph(i, place),
+                                 section_graph(j, place), inner, slope);
+      },
+      [&](double place, double inner) {
+        double change = 0;
+        height_difference(across, section_graph(i, inner), section_graph(j, inner), place, change);
+        return change;
+      },
+      rounding * box_.length(height_), near * box_.length(inner_));
+  survey.run(box_.interval(outer()));
+  return !(survey.positive() && survey.negative());
+}
+
+// The sign of a surface on the bottom or the top where it may touch it but does not pass through:
+// zero is its greatest or least value there, up to rounding. A box bisected in search of the trace
+// would be followed along the contact to the bottom. The range of a quadric proves it; of other
+// surfaces, extrema along sections in both directions are evidence. What vanishes everywhere has no
+// sign here: a face on a side shared by boxes has to be counted once.
+Truth Reduction3D::touching_sign(int surface, const Box& face, bool by_evidence) {
+  const Surface& function = *active_->surfaces[surface];
+  const double level = face.low[height_];
+  const double slope = bounds_[surface].gradient[height_].mignitude();
+  const double same = moved_side * box_.length(height_) * slope;
+  if (!(same > 0)) return Truth::unknown;
+  if (const QuadricEvaluator* quadric = function.quadric()) {
+    constexpr double far = 1e4;
+    const Interval range = quadric->Quadric::value_bounds(face);
+    if (range.high <= same && range.low < -far * same) return Truth::no;
+    if (range.low >= -same && range.high > far * same) return Truth::yes;
+    return Truth::unknown;
   }
-  return true;
+  if (!by_evidence) return Truth::unknown;
+  // What is not near zero bisection will tell.
+  constexpr double contact = 1e7;
+  bool positive = false, negative = false;
+  for (const auto& [across, along] : {std::pair{(height_ + 1) % 3, (height_ + 2) % 3},
+                                      std::pair{(height_ + 2) % 3, (height_ + 1) % 3}}) {
+    const auto at = [&, across = across, along = along](double place, double inner, int axis,
+                                                        double& change) {
+      work_done += function.cost().crossing;
+      Point point{};
+      point[height_] = level;
+      point[across] = place;
+      point[along] = inner;
+      return function.value_and_slope(point, axis, change);
+    };
+    SignSurvey survey([&, along = along](double) { return box_.interval(along); },
+                      [&, along = along](double place, double inner, double& change) {
+                        return at(place, inner, along, change);
+                      },
+                      [&, across = across](double place, double inner) {
+                        double change = 0;
+                        at(place, inner, across, change);
+                        return change;
+                      },
+                      same, near * box_.length(along));
+    survey.run(box_.interval(across));
+    positive |= survey.positive();
+    negative |= survey.negative();
+    if (positive == negative || survey.nearest() > contact * same) return Truth::unknown;
+  }
+  has_contacts_ = true;
+  return positive ? Truth::yes : Truth::no;
 }
 
 }  // namespace rfm

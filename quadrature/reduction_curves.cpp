@@ -10,7 +10,7 @@ namespace rfm {
 
 // The sign of a surface on the bottom or the top, and its trace there if it has none. Where the
 // surface is monotone in both base axes the signs at two opposite corners decide.
-Truth Reduction3D::add_trace(int surface, int end, bool tight) {
+Truth Reduction3D::add_trace(int surface, int end, bool tight, bool by_evidence) {
   Truth sign;
   const double level = end == 0 ? box_.low[height_] : box_.high[height_];
   const int a = (height_ + 1) % 3, b = (height_ + 2) % 3;
@@ -35,6 +35,15 @@ Truth Reduction3D::add_trace(int surface, int end, bool tight) {
     face.low[height_] = face.high[height_] = level;
     trace = active_->surfaces[surface]->bounds(face);
     sign = trace.value.low >= 0 ? Truth::yes : trace.value.high < 0 ? Truth::no : Truth::unknown;
+    // An extreme of zero, in a point or along a curve, is one for all directions.
+    if (sign == Truth::unknown && !trace.gradient[a].excludes_zero() &&
+        !trace.gradient[b].excludes_zero()) {
+      sign = touching_sign(surface, face, by_evidence);
+      if (sign != Truth::unknown) {
+        touching_[end].known |= 1u << surface;
+        if (sign == Truth::yes) touching_[end].positive |= 1u << surface;
+      }
+    }
   }
   if (sign != Truth::unknown) return sign;
   Curve curve;
@@ -45,9 +54,11 @@ Truth Reduction3D::add_trace(int surface, int end, bool tight) {
   return sign;
 }
 
-// The curves of the base plane; false if a surface turns out to have one sign.
-bool Reduction3D::find_curves(bool tight) {
+// The traces, and the surfaces that do not depend on the height; false if a surface turns out to
+// have one sign.
+bool Reduction3D::find_traces(bool tight, const Options& options) {
   curves_.clear();
+  touching_ = {};
   bool all_change_sign = true;
   for (int i = 0; i < active_->count; ++i) {
     if (is_vertical(i)) {
@@ -58,17 +69,13 @@ bool Reduction3D::find_curves(bool tight) {
       curves_.push_back(curve);
       continue;
     }
-    std::array<Truth, 2> signs;
-    for (int end = 0; end < 2; ++end) signs[end] = add_trace(i, end, tight);
+    std::array<Truth, 2>& signs = end_signs_[i];
+    for (int end = 0; end < 2; ++end) signs[end] = add_trace(i, end, tight, options.allow_contacts);
     if (signs[0] != Truth::unknown && signs[0] == signs[1]) {
       constant_surface_ = i;
       constant_sign_ = signs[0] == Truth::yes;
       all_change_sign = false;
     }
-  }
-  if (all_change_sign && active_->count > 1) {
-    narrow_graphs();
-    add_crossing_curves();
   }
   return all_change_sign;
 }
@@ -166,8 +173,9 @@ bool Reduction3D::coincide(int first, int second) const {
   return both >= 3;
 }
 
-// The inner axis over which all curves are graphs, or on which they do not depend.
-bool Reduction3D::choose_inner(const Options& options) {
+// The inner axis over which all curves are graphs, or on which they do not depend; else,
+// `in_any_case`, the one that is nearest to it.
+bool Reduction3D::choose_inner(const Options& options, bool in_any_case) {
   const auto middle = [](const Interval& interval) {
     const double value = std::fabs(interval.middle());
     return std::isfinite(value) ? value : 0.0;
@@ -200,7 +208,7 @@ bool Reduction3D::choose_inner(const Options& options) {
       likely = axis;
     }
   }
-  if (proven < 0 && !options.best_effort) return false;
+  if (proven < 0 && !in_any_case) return false;
   inner_ = proven >= 0 ? proven : likely;
   return true;
 }

@@ -54,9 +54,9 @@ void Subdivision::visit_waiting() {
 }
 
 // Whether the budget allows for another bisection and for what the boxes that wait would cost as
-// they are: to be bounded and reduced, and some tens of lines each.
+// they are: to be bounded and reduced, with some tens of lines and of points each.
 bool Subdivision::may_bisect(const ActiveSet& active, int depth) const {
-  constexpr std::int64_t lines = 25, reduction = 500;
+  constexpr std::int64_t lines = 45, reduction = 700;
   if (depth >= max_depth_) return false;
   std::int64_t line = 0;
   for (int i = 0; i < active.count; ++i) line += active.surfaces[i]->cost().crossing;
@@ -165,10 +165,12 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
   Reduction3D::Options options;
   options.flatness = flatness(box.dimension, depth);
   options.allow_contacts = depth >= options_.contact_depth;
-  for (int i = 0; i < heights.proven_count; ++i) {
+  const bool in_time = work_done < last_work;
+  for (int i = 0; i < heights.proven_count && in_time; ++i) {
     const Reduction3D::Outcome outcome =
         space_.build(box, active, bounds, heights.proven[i], options);
     if (outcome == Reduction3D::Outcome::constant_surface) {
+      if (space_.has_contacts()) add_contact(box);
       ActiveSet fewer = active;
       fewer.fix(space_.constant_surface(), space_.constant_sign());
       visit(box, fewer, depth);
@@ -179,8 +181,7 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
     if (!space_.certified() || is_limited_) {
       add_uncertified(box);
     } else if (space_.has_contacts()) {
-      ++uncertified_.contact_boxes;
-      uncertified_.contact_measure += box.measure();
+      add_contact(box);
     }
     return true;
   }
@@ -192,6 +193,11 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
   report(space_);
   add_uncertified(box);
   return true;
+}
+
+void Subdivision::add_contact(const Box& box) {
+  ++uncertified_.contact_boxes;
+  uncertified_.contact_measure += box.measure();
 }
 
 void Subdivision::add_uncertified(const Box& box) {

@@ -32,9 +32,9 @@ class WorkLimit {
 /// What a surface costs: one step for closed forms, else the operations of its expression.
 struct WorkCost {
   int crossing = 3;
-  int bounds = 5;
+  int bounds = 8;
 
-  static WorkCost of_operations(int count) { return {count, 10 * count}; }
+  static WorkCost of_operations(int count) { return {count, 6 * count}; }
 };
 
 }  // namespace rfm

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "core/evaluate.hpp"
+#include "core/tape.hpp"
 
 namespace rfm {
 namespace {
@@ -43,6 +46,39 @@ TEST_P(PointPrograms, HaveValueAndSlopesOfTheExpression) {
       double slope = 0;
       EXPECT_EQ(program->value_and_slope(p, axis, slope), program->value(p));
       EXPECT_NEAR(slope, exact, 1e-14 * (1 + std::fabs(exact)));
+    }
+  }
+}
+
+TEST_P(PointPrograms, BoundsHoldAndAreAsTightAsThoseOfATape) {
+  const auto program = PointProgram::compiled(GetParam().field, 3);
+  const Tape tape({GetParam().field}, {1}, 3);
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5), unit(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    const double size = std::pow(10.0, -4 * unit(generator));
+    Box box;
+    box.dimension = 3;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = uniform(generator);
+      box.high[axis] = box.low[axis] + size * unit(generator);
+    }
+    const FunctionBounds bounds = program->bounds(box), others = tape.bounds(box);
+    EXPECT_EQ(bounds.smooth, others.smooth);
+    EXPECT_LE(bounds.value.width(), 1.001 * others.value.width() + 1e-13);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(bounds.gradient[axis].width(), 1.001 * others.gradient[axis].width() + 1e-12);
+      EXPECT_EQ(bounds.gradient[axis].is_zero(), others.gradient[axis].is_zero());
+    }
+    for (int k = 0; k < 12; ++k) {
+      Point point{}, gradient{};
+      for (int axis = 0; axis < 3; ++axis)
+        point[axis] = k < 8 ? (k >> axis & 1 ? box.high[axis] : box.low[axis])
+                            : std::lerp(box.low[axis], box.high[axis], unit(generator));
+      const double value = program->value_and_gradient(point, gradient);
+      EXPECT_TRUE(bounds.value.contains(value)) << value << " " << bounds.value.low;
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_TRUE(bounds.gradient[axis].contains(gradient[axis])) << axis;
     }
   }
 }

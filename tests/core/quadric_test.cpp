@@ -119,6 +119,22 @@ TEST(Quadric, MixedTermsDoNotSpoilTheBoundsOfAThinTurnedEllipse) {
   EXPECT_GT(upper, -13);
 }
 
+TEST(Quadric, BoundsOverAFaceThatTouchesAreTheRangeToRounding) {
+  // A cone of 45° whose axis rises by 45° touches the plane of its apex along a line: over a face
+  // of a box there its range is […, 0], wherever the face lies in the plane.
+  const double c = std::sqrt(0.5);
+  const auto cone = as_quadric(
+      pow(0.5 * x - 0.5 * y + c * (z + 0.75), 2) - 0.5 * (x * x + y * y + pow(z + 0.75, 2)), 3);
+  ASSERT_TRUE(cone);
+  for (const double t : {0.0, 0.1, 0.37, 2.0}) {
+    const Interval range =
+        cone->value_bounds({3, {t, -t - 0.003, -0.75}, {t + 0.001, -t + 0.001, -0.75}});
+    EXPECT_GE(range.high, 0);
+    EXPECT_LT(range.high, 1e-14 * (1 + t * t));
+    EXPECT_NEAR(range.low, -0.25 * 0.003 * 0.003, 1e-14 * (1 + t * t));
+  }
+}
+
 TEST(Quadric, OtherFunctionsAreRefused) {
   for (const Field& f : {x * x * y, pow(x, 3), sin(x), 1 / x, sqrt(x * x), x * time_coordinate(),
                          abs(x), parameter(0) * x, partial(x * x, 0)})

@@ -15,6 +15,16 @@ TEST(CompensatedSum, KeepsWhatAPlainSumLoses) {
   EXPECT_EQ(sum.value(), 2);
 }
 
+TEST(CompensatedSum, OfSumsIsThatOfAllTerms) {
+  CompensatedSum first, second;
+  first.add(1);
+  first.add(1e100);
+  second.add(1);
+  second.add(-1e100);
+  first.add(second);
+  EXPECT_EQ(first.value(), 2);
+}
+
 TEST(CompensatedSum, DoesNotDriftWithTheNumberOfTerms) {
   CompensatedSum sum;
   double plain = 0;

@@ -83,6 +83,63 @@ TEST(LineRoots, AFaceAtAnEndBelongsToTheSideWhereItIsZero) {
   EXPECT_THAT(high.crossings, IsEmpty());
 }
 
+TEST(LineRoots, ACrossingThatValuesAtAnEndHideIsAtThatEnd) {
+  // 1 − x touches zero at the end: by its value it is positive there, by what is known it is not.
+  const LevelFunction level(1 - x(), 2);
+  const Surface surface(level);
+  const LineSegment line{{}, 0, -1, 1};
+  EXPECT_FALSE(find_crossing(surface, line).exists);
+  const Crossing known = find_crossing(surface, line, Truth::unknown, Truth::no);
+  EXPECT_TRUE(known.exists);
+  EXPECT_TRUE(known.starts_positive);
+  EXPECT_EQ(known.position, 1);
+  // And a crossing that is known not to be one is none.
+  const Surface other(level);
+  EXPECT_FALSE(find_crossing(other, {{}, 0, -1, 3}, Truth::unknown, Truth::yes).exists);
+  EXPECT_EQ(find_crossing(other, {{}, 0, -1, 3}).position, 1);
+}
+
+TEST(LineRoots, SignsKnownAtEndsReachTheRootsOfALine) {
+  const LevelFunction level(1 - x(), 2);
+  const Surface surface(level);
+  ActiveSet active;
+  active.table = TruthTable(v(0), std::array{0}, std::array{Truth::unknown});
+  active.add(surface, 0);
+  LineSegment line{{}, 0, -1, 1};
+  EXPECT_EQ(find_line_roots(active, 0, line).count, 0);
+  line.ends[1].known = 1;
+  EXPECT_EQ(find_line_roots(active, 0, line).count, 1);
+  line.ends[1].positive = 1;
+  EXPECT_EQ(find_line_roots(active, 0, line).count, 0);
+}
+
+TEST(LineRoots, WhereAPieceTouchesTheSideOfATurnedBoxThePieceIsTheBoundary) {
+  // Surface 0 is the side of a box and no piece, 1 a piece of the boundary, with the same root: the
+  // side would come first.
+  const LevelFunction side_level(0.3 - x(), 2), piece_level(2 * (0.3 - x()), 2);
+  const Surface side(side_level), piece(piece_level);
+  ActiveSet active;
+  active.table =
+      TruthTable(v(0) & v(1), std::array{0, 1}, std::array{Truth::unknown, Truth::unknown});
+  active.add(side, ActiveSet::no_piece);
+  active.add(piece, 7);
+  const LineSegment line{{}, 0, -1, 1};
+  const LineRoots roots = find_line_roots(active, 0, line);
+  ASSERT_EQ(roots.count, 2);
+  EXPECT_EQ(bounding_piece(active, roots, 0, 2, 3, 0), 1);
+  // A piece that does not bound the region there does not take the place of the side: inside is
+  // where the side is positive, whatever the piece is.
+  ActiveSet indifferent = active;
+  indifferent.table = TruthTable(v(0) & (v(1) | !v(1)), std::array{0, 1},
+                                 std::array{Truth::unknown, Truth::unknown});
+  EXPECT_EQ(bounding_piece(indifferent, roots, 0, 2, 3, 0), 0);
+  std::vector<int> crossed;
+  walk_line(
+      active, roots, line, [](const LineEnd&, const LineEnd&) {},
+      [&](const LineCrossing& crossing) { crossed.push_back(crossing.surface); });
+  EXPECT_THAT(crossed, ElementsAre(1));
+}
+
 TEST(LineRoots, InterfacesBreakPartsInsideOnly) {
   const Walk w = walk(v(0), {x()}, {x() - 0.5, x() + 0.5});
   EXPECT_THAT(w.parts, ElementsAre(std::array{0.0, 0.5}, std::array{0.5, 1.0}));

@@ -2,8 +2,10 @@
 // touch or nearly do. Each is found, or the report says where it may have been missed.
 
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
 
 #include "quadrature/domain_rule.hpp"
+#include "quadrature/work.hpp"
 #include "tests/quadrature/standard_regions.hpp"
 
 using namespace rfm;
@@ -105,6 +107,46 @@ TEST(SpaceEvents, ContactsAlongCurvesAreAcceptedAndCounted) {
   EXPECT_EQ(rule.report().uncertified.boxes, 0);
   EXPECT_GT(rule.report().uncertified.contact_boxes, 0);
   EXPECT_NEAR(rule.measure(), 0.32 * pi * pi, 1e-6);
+}
+
+TEST(SpaceEvents, QuadricsThatTouchPlanesOfTheGridAlongALineAreProved) {
+  // Grid planes at multiples of 1/4 in a box of ±1: a tilted rod that touches x = 1/2 and x = −1/2
+  // along lines, and a cone that touches z = 0 along one.
+  const Grid planes({3, {-1, -1, -1}, {1, 1, 1}}, {8, 8, 8});
+  const double c = std::sqrt(0.5);
+  const Field along = c * (y() - z()), across = c * (y() + z());
+  const Region rod =
+      solid(0.25 - square(x()) - square(across)) & solid(0.5 - along) & solid(0.5 + along);
+  const Field axis = c * (x() + z()), square_of_distance = square(x()) + square(y()) + square(z());
+  const Region cone =
+      solid(square(axis) - 0.5 * square_of_distance) & solid(axis) & solid(0.5 - axis);
+  struct Case {
+    Region region;
+    double volume, area;
+  };
+  for (const auto& [region, volume, area] :
+       {Case{rod, 0.25 * pi, 1.5 * pi}, Case{cone, pi / 24, 0.25 * pi * (1 + std::sqrt(2.0))}})
+    for (const int points : {7, 8}) {
+      const std::int64_t before = work_done;
+      tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+      const DomainRule rule = rule_for(region, planes, points);
+      EXPECT_NEAR(rule.measure(), volume, 1e-8);
+      EXPECT_NEAR(rule.boundary_measure(), area, 1e-6);
+      // Only the apex of the cone is no quadric's contact.
+      EXPECT_EQ(rule.report().uncertified.contact_boxes, 0);
+      EXPECT_LT(rule.report().uncertified.measure, 1e-4);
+      EXPECT_LT(work_done - before, 12'000'000);
+    }
+}
+
+TEST(SpaceEvents, ATorusThatTouchesAPlaneOfTheGridAlongACircleIsNotTakenApart) {
+  // Its top is the plane z = 1/4 of the grid.
+  const Field ring = sqrt(square(x()) + square(y())) - 0.5;
+  const Region torus = solid(0.0625 - square(ring) - square(z()));
+  const DomainRule rule = rule_for(torus, Grid({3, {-1, -1, -1}, {1, 1, 1}}, {8, 8, 8}), 8);
+  EXPECT_EQ(rule.report().uncertified.boxes, 0);
+  EXPECT_NEAR(rule.measure(), 0.0625 * pi * pi, 1e-8);
+  EXPECT_NEAR(rule.boundary_measure(), 0.5 * pi * pi, 1e-6);
 }
 
 TEST(SpaceEvents, SixPlanesThroughOneVertex) {

@@ -107,6 +107,26 @@ TEST(ZeroIsolation, RandomLinesCrossWhereCramersRuleSays) {
   EXPECT_GT(found, 100);
 }
 
+TEST(ZeroIsolation, AZeroBesideTheBoxDoesNotStandForTheOneInIt) {
+  // f = x − x² + a bump left of the box: a slope between 0 and twice that at the centre proves that
+  // the box holds one zero at most, and it holds x = 0. Newton's method leaves the box for a zero
+  // of the bump at x = −0.086: no proof that the box holds none, since f is not monotone up to
+  // there.
+  const Field f = x() - x() * x() + 0.19341 * exp(-square((x() + 0.1) / 0.016));
+  const Box box{2, {-0.03, -1}, {0.47, 1}};
+  std::vector<LevelFunction> levels;
+  levels.emplace_back(f, 2);
+  levels.emplace_back(y(), 2);
+  const std::vector<const LevelFunction*> functions{&levels[0], &levels[1]};
+  Point elsewhere = box.center();
+  ASSERT_TRUE(newton_zero(functions, std::span(axes).first(2), 8, elsewhere));
+  ASSERT_LT(elsewhere[0], -0.05);
+  const ZeroSet set = zeros_of({f, y()}, box);
+  EXPECT_TRUE(set.unresolved.empty());
+  ASSERT_EQ(set.zeros.size(), 1u);
+  EXPECT_NEAR(set.zeros[0][0], 0, 1e-14);
+}
+
 TEST(ZeroIsolation, NoZeroIsLostWhereNewtonsMethodLeavesTheBox) {
   // sin has a slope of one sign on (−π/2, π/2) only. Newton's method leads from the centre of most
   // boxes out of them; every zero must be found all the same, wherever it lies in the box.

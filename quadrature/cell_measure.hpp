@@ -1,0 +1,11 @@
+#pragma once
+
+namespace rfm {
+
+/// Sums of the weights of a rule.
+struct CellMeasure {
+  double volume = 0;
+  double boundary = 0;
+};
+
+}  // namespace rfm
