@@ -130,9 +130,15 @@ struct PNorm {
     positive = less(T(0.0), larger.c[0]);
     corner = equal(larger.c[0], T(0.0));
     size = select(corner, Number(1.0), select(positive, larger, -larger));
-    // Powers of the arguments to more than the fourth may overflow: of multiples near 1.
+    // Powers of the arguments to more than the fourth may overflow: of multiples near 1, with
+    // values that are divided, since p magnifies what the quotient of the two loses.
     const T unit = p > 4 ? size.c[0] : T(1.0), inverse = T(1.0) / unit;
-    excess = p > 4 ? scaled(unit, norm_excess(scaled(inverse, size), scaled(inverse, smaller), p))
+    const auto multiple = [&](const Number& f) {
+      Number result = scaled(inverse, f);
+      result.c[0] = f.c[0] / unit;
+      return result;
+    };
+    excess = p > 4 ? scaled(unit, norm_excess(multiple(size), multiple(smaller), p))
                    : norm_excess(size, smaller, p);
   }
 };
