@@ -211,12 +211,12 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
                           exact->place);
   }
   const auto check_quantity = [&](const DocumentNode& node) {
-    constexpr std::array<std::string_view, 17> parts = {
+    constexpr std::array<std::string_view, 18> parts = {
         "probes",          "errors",         "measures",    "energy",
         "unknowns",        "cells",          "seconds",     "eigenvalues",
         "frequencies",     "factors",        "convergence", "boundary_residual",
         "estimated_error", "peak_memory_mb", "trust",       "relations",
-        "newton"};
+        "newton",          "modes"};
     const std::string first = node.text.substr(0, node.text.find_first_of(".["));
     const std::vector<std::string> known(parts.begin(), parts.end());
     if (std::ranges::find(known, first) == known.end())

@@ -200,8 +200,8 @@ class StructureCheck {
         const std::string standard(child.presence.standard);
         active.insert(value && value->is_scalar() ? value->text : standard);
       }
-      const bool is_chosen = value || !child.presence.standard.empty();
-      if (child.presence.kind == Presence::Kind::alternative && is_chosen)
+      const bool is_standard = !child.presence.standard.empty() && !has_alternative(node, key);
+      if (child.presence.kind == Presence::Kind::alternative && (value || is_standard))
         active.insert(child.name);
     }
     return active;

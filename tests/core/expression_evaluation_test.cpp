@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"v[3 - 2]", at_x}));
 INSTANTIATE_TEST_SUITE_P(Numbers, Value,
                          testing::Values(Case{"1e-3", 1e-3}, Case{".5", 0.5}, Case{"2.", 2},
-                                         Case{"1.5E+2", 150}, Case{"08", 8}, Case{"1e-400", 0},
+                                         Case{"1.5E+2", 150}, Case{"08", 8}, Case{"5e-324", 5e-324},
                                          Case{"pi", std::numbers::pi}, Case{"2.*x", 2 * at_x},
                                          Case{"\t 1\n+ 2 ", 3}));
 INSTANTIATE_TEST_SUITE_P(
