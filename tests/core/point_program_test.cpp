@@ -50,7 +50,9 @@ TEST_P(PointPrograms, HaveValueAndSlopesOfTheExpression) {
   }
 }
 
-TEST_P(PointPrograms, BoundsHoldAndAreAsTightAsThoseOfATape) {
+// A tape knows polynomials of degree two as a whole and takes what is tighter of two bounds after
+// each function: of sums and products they are the same, after roots and exponentials wider.
+TEST_P(PointPrograms, BoundsHoldAndAreNotMuchWiderThanThoseOfATape) {
   const auto program = PointProgram::compiled(GetParam().field, 3);
   const Tape tape({GetParam().field}, {1}, 3);
   std::mt19937 generator(1);
@@ -65,9 +67,9 @@ TEST_P(PointPrograms, BoundsHoldAndAreAsTightAsThoseOfATape) {
     }
     const FunctionBounds bounds = program->bounds(box), others = tape.bounds(box);
     EXPECT_EQ(bounds.smooth, others.smooth);
-    EXPECT_LE(bounds.value.width(), 1.001 * others.value.width() + 1e-13);
+    EXPECT_LE(bounds.value.width(), 1.4 * others.value.width() + 1e-13);
     for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_LE(bounds.gradient[axis].width(), 1.001 * others.gradient[axis].width() + 1e-12);
+      EXPECT_LE(bounds.gradient[axis].width(), 2.2 * others.gradient[axis].width() + 1e-12);
       EXPECT_EQ(bounds.gradient[axis].is_zero(), others.gradient[axis].is_zero());
     }
     for (int k = 0; k < 12; ++k) {
