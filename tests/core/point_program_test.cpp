@@ -50,8 +50,8 @@ TEST_P(PointPrograms, HaveValueAndSlopesOfTheExpression) {
   }
 }
 
-// A tape knows polynomials of degree two as a whole and takes what is tighter of two bounds after
-// each function: of sums and products they are the same, after roots and exponentials wider.
+// Both are Taylor models, of the same operations but for what is taken as a polynomial of degree
+// two: of sums and products the bounds are the same, after roots and exponentials wider.
 TEST_P(PointPrograms, BoundsHoldAndAreNotMuchWiderThanThoseOfATape) {
   const auto program = PointProgram::compiled(GetParam().field, 3);
   const Tape tape({GetParam().field}, {1}, 3);
