@@ -82,9 +82,9 @@ void read_chosen_by_geometry(const DocumentNode& map, ValueReader& values, Shape
   if (const DocumentNode* near = values.find(map, "near")) {
     const DocumentNode* within = values.find(map, "within");
     const std::optional<double> distance = within ? values.number(*within) : std::nullopt;
-    if (!distance || !domain) return;
-    const auto around = read_neighbourhood(*near, *distance, values, shapes, folder);
-    if (!around) return;
+    // Where no distance is given what is near is read all the same: all mistakes are told at once.
+    const auto around = read_neighbourhood(*near, distance.value_or(1), values, shapes, folder);
+    if (!distance || !around || !domain) return;
     choose(
         *domain,
         [&](int, const RegionEvaluator&) {
