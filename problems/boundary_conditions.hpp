@@ -41,6 +41,8 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 struct DirichletPlan {
   Field data = 0.0;        ///< g
   Weight weight{1.0, ""};  ///< ω; 1 where nothing is enforced by structure
+  /// The structure of the user's own, as text: then g is its inhomogeneous part, and ω is not used.
+  std::string own_structure = {};
   /// The sets of equal data that g interpolates, and the functions that vanish on them.
   struct DataSet {
     std::string pieces;

@@ -130,7 +130,9 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}", qualities);
   for (std::size_t c = 0; c < scalar.dirichlet().size(); ++c) {
     const DirichletPlan& plan = scalar.dirichlet()[c];
-    if (!plan.by_structure.empty()) {
+    if (!plan.own_structure.empty()) {
+      log.line("structure: {} = {}", problem.physics.unknowns[c], plan.own_structure);
+    } else if (!plan.by_structure.empty()) {
       log.line("structure: {} = g + omega psi, omega = {}", problem.physics.unknowns[c],
                plan.weight.formula);
       for (const WeightPart& part : plan.weight.parts)

@@ -28,7 +28,9 @@ std::string json_text(const nlohmann::ordered_json& summary) {
 }
 
 void log_structure(RunLog& log, const std::string& unknown, const DirichletPlan& plan) {
-  if (!plan.by_structure.empty())
+  if (!plan.own_structure.empty())
+    log.line("structure: {} = {}", unknown, plan.own_structure);
+  else if (!plan.by_structure.empty())
     log.line("structure: {} = g + omega psi, omega = {}", unknown, plan.weight.formula);
   if (plan.data_sets.size() > 1)
     for (const auto& set : plan.data_sets)
@@ -67,7 +69,7 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
     log_structure(log, problem.problem().physics.unknowns[c], plans[c]);
   // A zero inside matters to a weight only.
   const bool has_weight = std::ranges::any_of(plans, [](const DirichletPlan& plan) {
-    return !plan.by_structure.empty() && !plan.uses_regular_form;
+    return !plan.by_structure.empty() && plan.own_structure.empty() && !plan.uses_regular_form;
   });
   for (const Irregularity& irregularity : problem.irregularities())
     if (irregularity.kind == Irregularity::Kind::dangling || has_weight)

@@ -13,6 +13,7 @@
 #include "problems/problem_forms.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/stopwatch.hpp"
+#include "problems/user_structure.hpp"
 #include "solvers/assembly.hpp"
 #include "solvers/collocation.hpp"
 #include "solvers/energy.hpp"
@@ -157,7 +158,23 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   irregularities_ = rfm::irregularities(region_, bounds_);
 }
 
+// All values that are not to be enforced weakly hold by the user's structure.
+void ScalarProblem::plan_own_structure(const UserStructure& user, const DomainRule& probe) {
+  require_values(user, conditions_, problem_, probe);
+  DirichletPlan plan;
+  plan.data = user.structure.inhomogeneous();
+  plan.own_structure = user.text;
+  for (const PieceCondition& condition : conditions_)
+    if (condition.kind == Condition::Kind::value)
+      (condition.enforcement == Condition::Enforcement::weak ? plan.weakly : plan.by_structure)
+          .push_back(condition);
+  plans_.push_back(plan);
+  structures_.push_back(user.structure);
+}
+
 void ScalarProblem::plan_values(const DomainRule& probe) {
+  if (const std::optional<UserStructure> user = user_structure(problem_))
+    return plan_own_structure(*user, probe);
   const std::optional<BooleanExpression> form = regular_form(region_, bounds_);
   for (int component = 0; component < unknown_count(); ++component) {
     std::vector<PieceCondition> own;
@@ -261,6 +278,9 @@ std::vector<TensorProductSpace> ScalarProblem::spaces(const DomainRule& rule) co
     // Cells are left out by the degree of all, so that unknowns live on the same ones.
     spaces.emplace_back(rule.grid(), degree, cells_in_region(rule, discretization.degree));
   }
+  // The further functions of a structure of the user's own.
+  while (static_cast<int>(spaces.size()) < structures_[0].unknown_count())
+    spaces.push_back(spaces[0]);
   return spaces;
 }
 
@@ -409,6 +429,12 @@ LinearSolverOptions ScalarProblem::linear_options() const {
   options.tolerance = problem_.discretization.tolerance;
   if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
     options.method = LinearSolverOptions::Method::direct;
+  // Several functions in one unknown may describe nearly the same.
+  if (unknown_count() == 1 && structures_[0].unknown_count() > 1) {
+    options.method = LinearSolverOptions::Method::direct;
+    options.regularization = 1e-13;
+    options.refinement_steps = 4;
+  }
   return options;
 }
 

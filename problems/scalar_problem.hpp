@@ -22,6 +22,8 @@
 
 namespace rfm {
 
+struct UserStructure;
+
 /// The background grid of a problem: `cells` along the longest side where given, else as the file
 /// says (`discretization.grid`, `.basis.cells`, `.basis.size`).
 Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells = {});
@@ -85,7 +87,8 @@ class ScalarProblem {
   }
   /// The same over another region: a part of the domain.
   DomainRule rule(const RegionEvaluator& region, const Grid& grid, int more_points = 0) const;
-  /// The splines of every unknown on the grid of a rule.
+  /// The splines of every unknown on the grid of a rule, and of the further functions of a
+  /// structure of the user's own.
   std::vector<TensorProductSpace> spaces(const DomainRule& rule) const;
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
@@ -96,6 +99,7 @@ class ScalarProblem {
 
  private:
   void plan_values(const DomainRule& probe);
+  void plan_own_structure(const UserStructure& user, const DomainRule& probe);
   /// The points of collocation: p − 1 per axis (2 at least), enough for more equations than
   /// unknowns, p on boundaries.
   DomainRule collocation_rule(const Grid& grid) const;

@@ -167,7 +167,9 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
   for (const std::string& note : report.notes) summary["notes"].push_back(note);
-  if (problem.dirichlet().size() == 1)
+  if (!problem.dirichlet()[0].own_structure.empty())
+    summary["structure"] = problem.dirichlet()[0].own_structure;
+  else if (problem.dirichlet().size() == 1)
     summary["weight"] = problem.dirichlet()[0].weight.formula;
   else
     for (std::size_t c = 0; c < problem.dirichlet().size(); ++c)
