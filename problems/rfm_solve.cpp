@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "core/freed_memory.hpp"
 #include "problems/check.hpp"
 #include "problems/command_line.hpp"
 #include "problems/mistakes.hpp"
@@ -98,6 +99,7 @@ int check_all(const rfm::CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rfm::keep_freed_memory();
   rfm::use_one_thread_in_blas();
   const rfm::CommandLine command = rfm::parse_command_line({argv + 1, argv + argc});
   std::optional<tbb::global_control> threads;
