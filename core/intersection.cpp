@@ -2,14 +2,10 @@
 
 #include <cmath>
 
+#include "core/point_algebra.hpp"
+
 namespace rfm {
 namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 constexpr int most_steps = 50;
 

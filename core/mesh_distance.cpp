@@ -5,33 +5,25 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
 
 namespace rfm {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point along(const Point& from, const Point& step, double t) {
   return {from[0] + t * step[0], from[1] + t * step[1], from[2] + t * step[2]};
 }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 double square_distance(const Point& a, const Point& b) {
-  const Point d = minus(a, b);
+  const Point d = difference(a, b);
   return dot(d, d);
-}
-Point unit(const Point& a) {
-  const double size = std::sqrt(dot(a, a));
-  return {a[0] / size, a[1] / size, a[2] / size};
 }
 
 TrianglePoint on_segment(const Point& a, const Point& b, const Point& point) {
-  const Point step = minus(b, a);
+  const Point step = difference(b, a);
   const double square = dot(step, step);
-  const double t = square > 0 ? dot(minus(point, a), step) / square : 0.0;
+  const double t = square > 0 ? dot(difference(point, a), step) / square : 0.0;
   if (!(t > 0)) return {a, 0, {}};
   if (t >= 1) return {b, 0, {}};
   return {along(a, step, t), 1, {unit(step), Point{}}};
@@ -54,12 +46,12 @@ std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
 }  // namespace
 
 TrianglePoint nearest_point(const Triangle& triangle, const Point& point) {
-  const Point ab = minus(triangle[1], triangle[0]), ac = minus(triangle[2], triangle[0]);
+  const Point ab = difference(triangle[1], triangle[0]), ac = difference(triangle[2], triangle[0]);
   const Point normal = cross(ab, ac);
   const double area = dot(normal, normal);
   // The normal of a triangle that is a segment or a point is rounding.
   if (area > 1e-24 * dot(ab, ab) * dot(ac, ac)) {
-    const Point ap = minus(point, triangle[0]);
+    const Point ap = difference(point, triangle[0]);
     const double v = dot(cross(ap, ac), normal) / area, w = dot(cross(ab, ap), normal) / area;
     if (v >= 0 && w >= 0 && v + w <= 1) {
       const Point first = unit(ab);
@@ -101,7 +93,7 @@ void MeshSquareDistance::evaluate(const std::array<const double*, 3>& coordinate
   for (int i = 0; i < count; ++i) {
     const Point point{coordinates[0][i], coordinates[1][i], coordinates[2][i]};
     const TrianglePoint foot = nearest_point(triangles_[nearest_triangle(point)], point);
-    const Point offset = minus(point, foot.nearest);
+    const Point offset = difference(point, foot.nearest);
     coefficient({}, i) = dot(offset, offset);
     for (int a = 0; a < own && order >= 1; ++a) {
       coefficient(unit_index(a), i) = 2 * offset[a];
@@ -150,7 +142,7 @@ FunctionBounds MeshSquareDistance::bounds(const Box& box) const {
       center,
       [&](int i) {
         const Point p = nearest_point(triangles_[i], center).nearest;
-        const Point offset = minus(center, p);
+        const Point offset = difference(center, p);
         const double square = dot(offset, offset);
         if (square > farthest * farthest) return;
         double tangent = square;

@@ -6,13 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/multi_index.hpp"
+#include "core/point_algebra.hpp"
 
 namespace rfm {
-namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-}  // namespace
 
 SegmentDistance::SegmentDistance(const Point& from, const Point& to, int dimension)
     : dimension_(dimension), from_(from), to_(to) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/boundary_part.hpp"
+#include "core/point_algebra.hpp"
 #include "core/quadric.hpp"
 #include "core/sign_tree.hpp"
 
@@ -13,9 +14,6 @@ namespace rfm {
 namespace {
 
 using Pair = std::pair<int, int>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 // Solves the symmetric positive definite system of up to three equations by elimination.
 Point solved(std::array<std::array<double, 3>, 3> matrix, Point right, int size) {
@@ -57,7 +55,7 @@ class Contact {
       for (const LevelFunction& function : functions_) {
         Point gradient{};
         double value = function.value_and_gradient(point, gradient);
-        const double slope = length(gradient);
+        const double slope = norm(gradient);
         if (!std::isfinite(value) || !std::isfinite(slope)) return {};
         if (!(slope > 0)) continue;  // identically zero, as between lines
         value /= slope;
@@ -171,7 +169,7 @@ class JointSearch {
       for (int i = 0; i < directions; ++i) {
         Point gradient{};
         region_.level(k).value_and_gradient(point, gradient);
-        const double slope = length(gradient);
+        const double slope = norm(gradient);
         if (!(slope > 0)) return {};
         Point step = tangent(gradient, dimension, 2 * pi * (i + 0.37) / directions);
         if (dimension == 2 && i % 2 == 1) step = {-step[0], -step[1], 0};
@@ -191,14 +189,14 @@ class JointSearch {
         signs[k] = Truth::no;
         const bool without = region_.region().expression().evaluate(signs) == Truth::yes;
         if (with == without) continue;
-        const double sign = (with ? -1 : 1) / length(gradient);
+        const double sign = (with ? -1 : 1) / norm(gradient);
         return Point{sign * gradient[0], sign * gradient[1], sign * gradient[2]};
       }
     return {};
   }
 
   static Point tangent(const Point& normal, int dimension, double angle) {
-    const double size = length(normal);
+    const double size = norm(normal);
     if (dimension == 2) return {-normal[1] / size, normal[0] / size, 0};
     int thinnest = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -209,7 +207,7 @@ class JointSearch {
       return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     };
     Point u = cross(normal, pole);
-    const double across = length(u);
+    const double across = norm(u);
     for (double& component : u) component /= across;
     const Point v = cross(normal, u);
     Point result;

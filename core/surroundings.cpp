@@ -4,16 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/point_algebra.hpp"
+
 namespace rfm {
 namespace {
 
 using std::numbers::pi;
-
-double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 std::vector<Point> directions_on_a_line() { return {{1, 0, 0}, {-1, 0, 0}}; }
 
@@ -40,13 +36,13 @@ std::vector<Point> directions_in_the_plane(const std::vector<Point>& normals) {
 std::vector<Point> directions_in_space(const std::vector<Point>& normals) {
   std::vector<Point> directions;
   const auto add = [&](const Point& d) {
-    const double size = length(d);
+    const double size = norm(d);
     directions.push_back({d[0] / size, d[1] / size, d[2] / size});
   };
   for (std::size_t i = 0; i < normals.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Point line = cross(normals[i], normals[j]);
-      const double sine = length(line);
+      const double sine = norm(line);
       if (sine < 1e-6) continue;
       for (int side = 0; side < 8; ++side) {
         const double along = (side & 1) != 0 ? 1 : -1;
@@ -74,7 +70,7 @@ Surroundings surroundings(const RegionEvaluator& region, const Point& point, dou
   for (int k = 0; k < region.primitive_count(); ++k) {
     Point gradient;
     const double value = region.level(k).value_and_gradient(point, gradient);
-    const double slope = length(gradient);
+    const double slope = norm(gradient);
     if (std::fabs(value) > tolerance * std::max(slope, tolerance)) {
       result.signs.push_back(value > 0 ? Truth::yes : Truth::no);
       continue;

@@ -6,41 +6,12 @@
 
 #include "core/conditional_r_functions.hpp"
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
+#include "core/point_fields.hpp"
 #include "core/r_equivalence.hpp"
 #include "core/trim.hpp"
 
 namespace rfm {
-namespace {
-
-Field square_distance(const Point& point, int dimension) {
-  Field square = 0.0;
-  for (int axis = 0; axis < dimension; ++axis)
-    square = square + pow(coordinate(axis) - point[axis], 2.0);
-  return square;
-}
-
-Field along(const Point& direction, const Point& from, int dimension) {
-  Field result = 0.0;
-  for (int axis = 0; axis < dimension; ++axis)
-    result = result + direction[axis] * (coordinate(axis) - from[axis]);
-  return result;
-}
-
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
-
-Point unit(const Point& a) {
-  const double size = length(a);
-  return {a[0] / size, a[1] / size, a[2] / size};
-}
-
-}  // namespace
-
 Field trimming_conjunction(const std::vector<Field>& fields, const Field& gamma,
                            const ConditionalOptions& options) {
   if (fields.empty()) throw InvalidArgument("the conjunction of no fields does not exist");
@@ -67,7 +38,7 @@ ThinSet segment_set(const Point& from, const Point& to, int dimension) {
   if (dimension < 2 || dimension > 3)
     throw InvalidArgument("segments lie in 2 or 3 dimensions, not in " + std::to_string(dimension));
   const Point step = difference(to, from);
-  const double size = length(step);
+  const double size = norm(step);
   if (!(size > 0)) throw InvalidArgument("the ends of a segment must differ");
   const Point middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (from[2] + to[2])};
   const Point direction = unit(step);
@@ -77,7 +48,7 @@ ThinSet segment_set(const Point& from, const Point& to, int dimension) {
   set.where = (0.25 * size * size - square_distance(middle, dimension)) / size;
   set.ends = {set.where};
   if (dimension == 2) {
-    set.surface = along({-direction[1], direction[0]}, from, 2);
+    set.surface = height_along({-direction[1], direction[0]}, from, 2);
     set.function = trim(*set.surface, set.where);
     return set;
   }
@@ -85,7 +56,8 @@ ThinSet segment_set(const Point& from, const Point& to, int dimension) {
   const Point pole = std::fabs(direction[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
   const Point normal = unit(cross(direction, pole)), binormal = cross(direction, normal);
   set.function = trim_of_square(
-      pow(along(normal, from, 3), 2.0) + pow(along(binormal, from, 3), 2.0), set.where);
+      pow(height_along(normal, from, 3), 2.0) + pow(height_along(binormal, from, 3), 2.0),
+      set.where);
   return set;
 }
 
@@ -102,7 +74,8 @@ ThinSet arc_set(const Point& center, double radius, double from, double to) {
   }
   // Beyond the chord, seen from the centre along the middle of the arc.
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  set.where = along({std::cos(middle), std::sin(middle)}, center, 2) - radius * std::cos(half);
+  set.where =
+      height_along({std::cos(middle), std::sin(middle)}, center, 2) - radius * std::cos(half);
   set.ends = {set.where};
   set.function = trim(*set.surface, set.where);
   set.bulge = std::tan(0.25 * (to - from));
@@ -130,17 +103,17 @@ ThinSet triangle_set(const Point& a, const Point& b, const Point& c,
   const Point corners[] = {a, b, c};
   const Point area = cross(difference(b, a), difference(c, a));
   const double size =
-      std::max({length(difference(b, a)), length(difference(c, b)), length(difference(a, c))});
-  if (!(length(area) > 1e-14 * size * size))
+      std::max({norm(difference(b, a)), norm(difference(c, b)), norm(difference(a, c))});
+  if (!(norm(area) > 1e-14 * size * size))
     throw InvalidArgument("the corners of a triangle must not lie on a line");
   const Point normal = unit(area);
   ThinSet set;
   set.dimension = 3;
   set.points = {a, b, c};
-  set.surface = along(normal, a, 3);
+  set.surface = height_along(normal, a, 3);
   for (int i = 0; i < 3; ++i) {
     const Point edge = unit(difference(corners[(i + 1) % 3], corners[i]));
-    set.ends.push_back(along(cross(normal, edge), corners[i], 3));
+    set.ends.push_back(height_along(cross(normal, edge), corners[i], 3));
   }
   set.where = trimming_conjunction(set.ends, *set.surface, options);
   set.function = trim(*set.surface, set.where);

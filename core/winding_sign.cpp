@@ -6,19 +6,17 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
 
 namespace rfm {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 double cross_z(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 bool same(const Point& a, const Point& b, double tolerance) {
-  return length(difference(a, b)) <= tolerance;
+  return norm(difference(a, b)) <= tolerance;
 }
 
 // The circle of an arc from a to b.
@@ -31,7 +29,7 @@ Circle circle_of(const Point& a, const Point& b, double bulge) {
   // The centre lies at half the chord times (1 − bulge²)/(2 bulge) to the left of its middle.
   const double shift = (1 - bulge * bulge) / (4 * bulge);
   return {{0.5 * (a[0] + b[0]) - shift * chord[1], 0.5 * (a[1] + b[1]) + shift * chord[0]},
-          length(chord) * (1 + bulge * bulge) / (4 * std::fabs(bulge))};
+          norm(chord) * (1 + bulge * bulge) / (4 * std::fabs(bulge))};
 }
 
 // The angle that a piece from a to b turns about a point.
@@ -42,7 +40,7 @@ double turn(const Point& a, const Point& b, double bulge, const Point& at) {
   // An arc passes on the right of its chord where it turns left. A point between them is passed on
   // the other side.
   const Circle circle = circle_of(a, b, bulge);
-  const bool within = length(difference(at, circle.center)) < circle.radius;
+  const bool within = norm(difference(at, circle.center)) < circle.radius;
   const bool right_of_chord = cross_z(difference(b, a), difference(at, a)) < 0;
   if (bulge > 0) return within && right_of_chord ? chord + 2 * pi : chord;
   return within && !right_of_chord ? chord - 2 * pi : chord;
@@ -53,7 +51,7 @@ double solid_angle(const std::array<Point, 3>& corners, const Point& at) {
   const Point a = difference(corners[0], at), b = difference(corners[1], at),
               c = difference(corners[2], at);
   const Point bc{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
-  const double la = length(a), lb = length(b), lc = length(c);
+  const double la = norm(a), lb = norm(b), lc = norm(c);
   return 2 *
          std::atan2(dot(a, bc), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
@@ -79,7 +77,7 @@ WindingSign::WindingSign(const std::vector<ThinSet>& pieces) {
         high[axis] = std::max(high[axis], point[axis]);
       }
   }
-  const double tolerance = 1e-9 * length(difference(high, low));
+  const double tolerance = 1e-9 * norm(difference(high, low));
   dimension_ == 2 ? close_loops(tolerance) : check_edges(tolerance);
 }
 
@@ -149,7 +147,7 @@ void WindingSign::evaluate(const std::array<const double*, 3>& coordinates, int 
 double WindingSign::distance_below(const Piece& piece, const Point& point) const {
   if (dimension_ == 2 && piece.bulge != 0) {
     const Circle circle = circle_of(piece.corners[0], piece.corners[1], piece.bulge);
-    return std::fabs(length(difference(point, circle.center)) - circle.radius);
+    return std::fabs(norm(difference(point, circle.center)) - circle.radius);
   }
   // From the ball about the corners' middle.
   Point middle{};
@@ -158,18 +156,18 @@ double WindingSign::distance_below(const Piece& piece, const Point& point) const
     for (int axis = 0; axis < 3; ++axis) middle[axis] += piece.corners[i][axis] / count;
   double radius = 0;
   for (int i = 0; i < count; ++i)
-    radius = std::max(radius, length(difference(piece.corners[i], middle)));
-  if (dimension_ == 3) return length(difference(point, middle)) - radius;
+    radius = std::max(radius, norm(difference(piece.corners[i], middle)));
+  if (dimension_ == 3) return norm(difference(point, middle)) - radius;
   const Point along = difference(piece.corners[1], piece.corners[0]);
   const double t =
       std::clamp(dot(difference(point, piece.corners[0]), along) / dot(along, along), 0.0, 1.0);
-  return length({point[0] - piece.corners[0][0] - t * along[0],
-                 point[1] - piece.corners[0][1] - t * along[1]});
+  return norm({point[0] - piece.corners[0][0] - t * along[0],
+               point[1] - piece.corners[0][1] - t * along[1]});
 }
 
 FunctionBounds WindingSign::bounds(const Box& box) const {
   const Point center = box.center();
-  const double radius = length(difference(box.high, center)) * (1 + 1e-12);
+  const double radius = norm(difference(box.high, center)) * (1 + 1e-12);
   FunctionBounds bounds;
   bounds.value = Interval(-1, 1);
   bounds.smooth = false;

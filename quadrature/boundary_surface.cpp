@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/boundary_piece.hpp"
+#include "core/point_algebra.hpp"
 #include "quadrature/facet_stitching.hpp"
 
 namespace rfm {
@@ -48,13 +49,6 @@ class PointWelder {
   double tolerance_, cell_;
   std::unordered_map<std::uint64_t, std::vector<int>> cells_;
 };
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point unit(const Point& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 // Outward by the order of the vertices; its length is twice the measure in 3D, once in 2D.
 Point facet_normal(std::span<const int> vertices, const std::vector<Point>& points) {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
 #include "quadrature/candidate_boxes.hpp"
 #include "quadrature/compensated_sum.hpp"
 #include "quadrature/gauss_legendre.hpp"
 #include "quadrature/local_structure.hpp"
-#include "quadrature/point_algebra.hpp"
 #include "quadrature/zero_isolation.hpp"
 
 namespace rfm {

@@ -8,12 +8,13 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/point_algebra.hpp"
+
 namespace rfm {
 namespace {
 
 using Side = std::pair<int, int>;
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "quadrature/point_algebra.hpp"
+#include "core/point_algebra.hpp"
 
 namespace rfm {
 namespace {

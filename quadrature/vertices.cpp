@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/point_algebra.hpp"
 #include "quadrature/candidate_boxes.hpp"
 #include "quadrature/local_structure.hpp"
-#include "quadrature/point_algebra.hpp"
 #include "quadrature/zero_isolation.hpp"
 
 namespace rfm {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "quadrature/point_algebra.hpp"
+#include "core/point_algebra.hpp"
 
 namespace rfm {
 namespace {

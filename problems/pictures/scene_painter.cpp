@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/point_algebra.hpp"
+
 namespace rfm {
 namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 class Painter {
  public:

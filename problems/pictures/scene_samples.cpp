@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "core/point_algebra.hpp"
+
 namespace rfm {
 namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 SceneSample sample_at(const RayCaster& rays, const Camera& camera, double x, double y) {
   SceneSample sample;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/point_algebra.hpp"
 #include "core/tape.hpp"
-#include "quadrature/point_algebra.hpp"
 
 namespace rfm {
 namespace {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
 #include "core/primitives.hpp"
 #include "quadrature/gauss_legendre.hpp"
-#include "quadrature/point_algebra.hpp"
 #include "tests/quadrature/standard_regions.hpp"
 
 using namespace rfm;

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/point_algebra.hpp"
 #include "core/primitives.hpp"
 #include "quadrature/domain_rule.hpp"
-#include "quadrature/point_algebra.hpp"
 #include "tests/quadrature/standard_regions.hpp"
 
 using namespace rfm;

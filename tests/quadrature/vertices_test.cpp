@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/point_algebra.hpp"
 #include "core/primitives.hpp"
-#include "quadrature/point_algebra.hpp"
 #include "tests/quadrature/standard_regions.hpp"
 
 using namespace rfm;
