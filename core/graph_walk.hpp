@@ -1,6 +1,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,22 @@ Value walked(const Field& root, const Leaf& leaf, const Inner& inner) {
     known.emplace(&node, inner(field, std::move(arguments)));
   }
   return known.at(&root.node());
+}
+
+/// Whether `holds(field)` for any node of a graph. Each node is visited once; graphs may be
+/// arbitrarily deep.
+template <class Predicate>
+bool any_node(const Field& root, const Predicate& holds) {
+  std::unordered_set<const Field::Node*> seen;
+  std::vector<Field> pending{root};
+  while (!pending.empty()) {
+    const Field field = pending.back();
+    pending.pop_back();
+    if (!seen.insert(&field.node()).second) continue;
+    if (holds(field)) return true;
+    for (const Field& argument : field.node().arguments) pending.push_back(argument);
+  }
+  return false;
 }
 
 }  // namespace rfm

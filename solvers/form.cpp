@@ -1,7 +1,6 @@
 #include "solvers/form.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
@@ -16,18 +15,7 @@ bool is_slot(const Field& field) {
   return field.node().operation == Operation::coordinate && field.node().index >= 4;
 }
 
-bool has_slots(const Field& formula) {
-  std::unordered_set<const Field::Node*> seen;
-  std::vector<Field> pending{formula};
-  while (!pending.empty()) {
-    const Field field = pending.back();
-    pending.pop_back();
-    if (!seen.insert(&field.node()).second) continue;
-    if (is_slot(field)) return true;
-    for (const Field& argument : field.node().arguments) pending.push_back(argument);
-  }
-  return false;
-}
+bool has_slots(const Field& formula) { return any_node(formula, is_slot); }
 
 // Slots replaced; what is multiplied by a slot that is nothing is nothing, too.
 Field with_slots(const Field& formula, const std::vector<Field>& slots) {

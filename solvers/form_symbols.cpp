@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_set>
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
@@ -58,16 +57,10 @@ const Symbol* symbol_of(const Field& field) {
 
 template <class Predicate>
 bool any_symbol(const Field& formula, Predicate&& holds) {
-  std::unordered_set<const Field::Node*> seen;
-  std::vector<Field> pending{formula};
-  while (!pending.empty()) {
-    const Field field = pending.back();
-    pending.pop_back();
-    if (!seen.insert(&field.node()).second) continue;
-    if (const Symbol* symbol = symbol_of(field); symbol && holds(*symbol)) return true;
-    for (const Field& argument : field.node().arguments) pending.push_back(argument);
-  }
-  return false;
+  return any_node(formula, [&](const Field& field) {
+    const Symbol* symbol = symbol_of(field);
+    return symbol && holds(*symbol);
+  });
 }
 
 // Derivatives of what contains symbols are carried out; others stay, since jets are cheaper.
