@@ -10,6 +10,7 @@
 #include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
 #include "problems/eigen_study.hpp"
+#include "problems/problem_grid.hpp"
 #include "problems/problem_interfaces.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
@@ -23,10 +24,6 @@
 namespace rfm {
 
 struct UserStructure;
-
-/// The background grid of a problem: `cells` along the longest side where given, else as the file
-/// says (`discretization.grid`, `.basis.cells`, `.basis.size`).
-Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells = {});
 
 /// The number of coefficients of functions in all of the spaces.
 int coefficient_count(std::span<const TensorProductSpace> spaces);
@@ -115,6 +112,8 @@ class ScalarProblem {
   void solve_eigen(const Equations& equations, ScalarSolution& solution) const;
   LinearSolverOptions linear_options() const;
   bool fixed_up_to_constant() const;
+  /// Then a rule is not one for the domain.
+  static bool misses_divergence_theorem(const DomainRule& rule);
   void check_within_grid(const DomainRule& rule) const;
   void check_no_robin() const;
   void check_torsion(const DomainRule& rule) const;

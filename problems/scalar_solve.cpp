@@ -1,0 +1,314 @@
+// Assembles and solves what scalar_problem.cpp has made ready.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "basis/tensor_polynomials.hpp"
+#include "core/error.hpp"
+#include "problems/problem_forms.hpp"
+#include "problems/scalar_problem.hpp"
+#include "problems/stopwatch.hpp"
+#include "solvers/assembly.hpp"
+#include "solvers/collocation.hpp"
+#include "solvers/energy.hpp"
+#include "solvers/integrate.hpp"
+#include "solvers/solution.hpp"
+
+namespace rfm {
+namespace {
+
+// The system without its first well supported unknown, which is set to zero: what a kernel of
+// constants leaves free.
+void pin_one(LinearSystem& system) {
+  Eigen::Index pinned = 0;
+  const Eigen::VectorXd diagonal = system.matrix.diagonal();
+  diagonal.maxCoeff(&pinned);
+  for (Eigen::Index column = 0; column < system.matrix.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(system.matrix, column); entry; ++entry)
+      if (entry.row() == pinned || entry.col() == pinned)
+        entry.valueRef() = entry.row() == entry.col() ? entry.value() : 0.0;
+  system.right_hand_side[pinned] = 0;
+}
+
+PolynomialFamily polynomial_family(const Discretization& discretization) {
+  using Kind = PolynomialFamily::Kind;
+  PolynomialFamily family{Kind::legendre, discretization.degree, discretization.total_degree};
+  if (discretization.basis == Discretization::Basis::chebyshev) family.kind = Kind::chebyshev;
+  if (discretization.basis == Discretization::Basis::power) family.kind = Kind::power;
+  if (discretization.basis == Discretization::Basis::trigonometric)
+    family.kind = Kind::trigonometric;
+  return family;
+}
+
+}  // namespace
+
+int coefficient_count(std::span<const TensorProductSpace> spaces) {
+  int count = 0;
+  for (const TensorProductSpace& space : spaces) count += space.size();
+  return count;
+}
+
+std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
+  const int dimension = problem_.dimension;
+  std::vector<Contribution> list{volume_energy(coefficients_, dimension)};
+  for (const PieceCondition& condition : conditions_)
+    for (Contribution& natural : natural_energy(condition, coefficients_))
+      list.push_back(std::move(natural));
+  // The penalty of Nitsche's method scales as p²/h; 20 keeps the boundary residual small against
+  // the error inside.
+  const int degree = problem_.discretization.degree;
+  double spacing = INFINITY;
+  for (int axis = 0; axis < dimension; ++axis)
+    spacing =
+        std::min(spacing, has_global_functions() ? grid.box().length(axis) : grid.spacing(axis));
+  const double penalty = 20.0 * degree * degree / spacing;
+  for (const DirichletPlan& plan : plans_)
+    for (const PieceCondition& condition : plan.weakly)
+      list.push_back(nitsche_energy(condition, coefficients_, dimension, penalty));
+  return list;
+}
+
+bool ScalarProblem::fixed_up_to_constant() const {
+  if (problem_.physics.custom || depend_on_solution(coefficients_) ||
+      !coefficients_.advection.empty())
+    return false;
+  if (!coefficients_.reaction.is_constant(0)) return false;
+  return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
+    if (condition.kind == Condition::Kind::flux) return true;
+    if (condition.kind == Condition::Kind::value) return false;
+    return condition.data[0].is_constant(0);  // no transfer, or a = 0
+  });
+}
+
+void ScalarProblem::check_compatible(const DomainRule& rule) const {
+  // ∫ f + ∫ q must vanish: the sum of all loads against the constant 1.
+  double resultant = integrate(coefficients_.source, rule);
+  double size = integrate(abs(coefficients_.source), rule);
+  for (const PieceCondition& condition : conditions_)
+    for (const Contribution& natural : natural_energy(condition, coefficients_))
+      for (const auto& load : natural.energy.load()) {
+        const IntegrationPlace place{Contribution::Place::boundary, natural.numbers};
+        const Coefficient part =
+            natural.where ? load.coefficient * Coefficient(step(*natural.where)) : load.coefficient;
+        const double amount = integrate(part, rule, place);
+        resultant += amount;
+        size += std::fabs(amount);
+      }
+  if (std::fabs(resultant) > 1e-8 * size)
+    throw ComputationError(fmt::format(
+        "no steady solution exists: nothing fixes the level of u, and sources and fluxes do not "
+        "balance (their resultant is {:.6g})",
+        resultant));
+}
+
+// ½ ∫ (∇u·K∇u + reaction u²): the whole function that u makes stationary, which the system of
+// equations knows, less its other parts. They take derivatives on the boundary only, while those in
+// the volume would cost half as much as assembly.
+double ScalarProblem::stored_energy(const LinearSystem& system,
+                                    const std::vector<Contribution>& parts,
+                                    const ScalarSolution& solution) const {
+  const Eigen::VectorXd& coefficients = solution.linear.coefficients;
+  const Field& u = solution.results.unknowns[0].field;
+  double energy = system.energy(coefficients);
+  if (parts.size() == 1 && plans_[0].data.is_constant(0))
+    energy += system.right_hand_side.dot(coefficients);  // the load of the source, and no other
+  else if (!coefficients_.source.is_constant(0))
+    energy += integrate(coefficients_.source * u, solution.rule);
+  for (const Contribution& part : parts)
+    if (part.place != Contribution::Place::volume)
+      energy -= rfm::energy(part, {&u, 1}, solution.rule);
+  return energy;
+}
+
+ScalarSolution ScalarProblem::solve(const Grid& grid) const {
+  Stopwatch quadrature;
+  ScalarSolution solution{.rule = rule(grid), .results = {}, .linear = {}, .seconds = {}};
+  solution.seconds.quadrature = quadrature.seconds();
+  if (misses_divergence_theorem(solution.rule))
+    throw ComputationError(fmt::format(
+        "the grid is too coarse for the domain: its measure {:.6g} and its boundary disagree by "
+        "{:.2g} in the divergence theorem; use more cells",
+        solution.rule.measure(), solution.rule.report().divergence_defect));
+
+  if (problem_.study.type == Study::Type::eigen || has_global_functions()) {
+    solve_equations(solution);
+    return solution;
+  }
+  const std::vector<TensorProductSpace> functions = spaces(solution.rule);
+  solution.unknowns = coefficient_count(functions);
+  const bool free_constant = fixed_up_to_constant();
+  if (free_constant) check_compatible(solution.rule);
+  std::vector<Form> equations;
+  std::vector<Contribution> parts;
+  LinearSystem system;
+  if (uses_forms(*this)) {
+    equations = problem_forms(*this, grid);
+    if (std::ranges::all_of(equations, &Form::is_linear))
+      for (const Form& form : equations) parts.push_back(form.linear());
+  } else {
+    parts = contributions(grid);
+  }
+  if (problem_.discretization.method == Discretization::Method::collocation || parts.empty())
+    solve_forms(equations, functions, solution);
+  else
+    system = solve_linear(parts, functions, free_constant, solution);
+  if (!(solution.linear.relative_residual < 1e-6))
+    throw ComputationError(
+        fmt::format("the system of equations could not be solved (relative residual {:.1e})",
+                    solution.linear.relative_residual));
+
+  Stopwatch results;
+  const std::vector<Field> fields =
+      solution_fields(structures_, functions, solution.linear.coefficients);
+  solution.results.dimension = problem_.dimension;
+  for (int c = 0; c < unknown_count(); ++c)
+    solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
+  solution.energy = uses_forms(*this) ? energy_of_forms(*this, equations, solution)
+                                      : stored_energy(system, parts, solution);
+  Field& u = solution.results.unknowns[0].field;
+  if (free_constant) {
+    u = u - integrate(u, solution.rule) / solution.rule.measure();
+    solution.mean_set_to_zero = true;
+  }
+  solution.seconds.solve += results.seconds();
+
+  if (!problem_.physics.custom)
+    for (const Field& component : conductive_flux(coefficients_, u, problem_.dimension))
+      solution.results.flux.push_back(with_solution(component, {&u, 1}));
+  solution.boundary_residual = boundary_residual(solution);
+  return solution;
+}
+
+LinearSolverOptions ScalarProblem::linear_options() const {
+  LinearSolverOptions options;
+  options.dimension = problem_.dimension;
+  options.tolerance = problem_.discretization.tolerance;
+  if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
+    options.method = LinearSolverOptions::Method::direct;
+  // Several functions in one unknown may describe nearly the same.
+  if (unknown_count() == 1 && structures_[0].unknown_count() > 1) {
+    options.method = LinearSolverOptions::Method::direct;
+    options.regularization = 1e-13;
+    options.refinement_steps = 4;
+  }
+  return options;
+}
+
+LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
+                                         const std::vector<TensorProductSpace>& functions,
+                                         bool free_constant, ScalarSolution& solution) const {
+  Stopwatch assembly;
+  LinearSystem system = assemble(structures_, functions, parts, solution.rule);
+  if (free_constant) pin_one(system);
+  solution.seconds.assembly = assembly.seconds();
+  Stopwatch solve;
+  solution.linear = rfm::solve(system, linear_options());
+  solution.seconds.solve = solve.seconds();
+  return system;
+}
+
+void ScalarProblem::solve_forms(const std::vector<Form>& equations,
+                                const std::vector<TensorProductSpace>& functions,
+                                ScalarSolution& solution) const {
+  Stopwatch solve;
+  NewtonOptions options;
+  options.load_steps = problem_.discretization.load_steps;
+  const bool at_points = problem_.discretization.method == Discretization::Method::collocation;
+  NewtonSolution newton = at_points
+                              ? solve_collocation(structures_, functions, equations,
+                                                  collocation_rule(solution.rule.grid()), options)
+                              : solve_newton(structures_, functions, equations, solution.rule,
+                                             linear_options(), options);
+  solution.newton_order = newton.order();
+  solution.newton = std::move(newton.iterations);
+  solution.linear = std::move(newton.linear);
+  solution.seconds.solve = solve.seconds();
+}
+
+Equations ScalarProblem::equations(const DomainRule& rule) const {
+  const bool eigen = problem_.study.type == Study::Type::eigen;
+  EquationTerms terms;
+  if (!problem_.physics.custom) terms.stiffness = contributions(rule.grid());
+  if (eigen) terms.mass = {mass_energy(coefficients_)};
+  std::vector<Structure> structures;
+  for (const Structure& structure : structures_)
+    structures.push_back(eigen ? homogeneous_part(structure) : structure);
+  if (!has_global_functions())
+    return Equations(std::move(structures), spaces(rule), std::move(terms), rule);
+  const auto functions = std::make_shared<TensorPolynomials>(
+      rule.grid().box(), polynomial_family(problem_.discretization));
+  return Equations(std::move(structures), GlobalSpaces{functions}, std::move(terms), rule);
+}
+
+// Problems with an energy, of one unknown.
+void ScalarProblem::solve_equations(ScalarSolution& solution) const {
+  const Equations equations = this->equations(solution.rule);
+  solution.unknowns = equations.size();
+  solution.results.dimension = problem_.dimension;
+  if (problem_.study.type == Study::Type::eigen) return solve_eigen(equations, solution);
+  const bool free_constant = fixed_up_to_constant();
+  if (free_constant) check_compatible(solution.rule);
+  Stopwatch assembly;
+  LinearSystem system = equations.steady();
+  if (free_constant) pin_one(system);
+  solution.seconds.assembly = assembly.seconds();
+
+  Stopwatch solve;
+  solution.linear = rfm::solve(system, linear_options());
+  Field u = equations.fields(solution.linear.coefficients)[0];
+  solution.results.unknowns = {{problem_.physics.unknowns[0], u}};
+  solution.energy = stored_energy(system, equations.terms().stiffness, solution);
+  if (free_constant) {
+    u = u - integrate(u, solution.rule) / solution.rule.measure();
+    solution.results.unknowns[0].field = u;
+    solution.mean_set_to_zero = true;
+  }
+  solution.results.flux = conductive_flux(coefficients_, u, problem_.dimension);
+  solution.boundary_residual = boundary_residual(solution);
+  solution.seconds.solve = solve.seconds();
+}
+
+void ScalarProblem::solve_eigen(const Equations& equations, ScalarSolution& solution) const {
+  Stopwatch assembly;
+  equations.stiffness();
+  equations.mass();
+  solution.seconds.assembly = assembly.seconds();
+
+  Stopwatch solve;
+  const EigenResult& eigen = solution.eigen.emplace(find_modes(equations, problem_.study, bounds_));
+  solution.results.unknowns = {{problem_.physics.unknowns[0], eigen.modes[0]}};
+  solution.results.modes = eigen.modes;
+  solution.results.flux = conductive_flux(coefficients_, eigen.modes[0], problem_.dimension);
+  solution.energy = 0.5 * eigen.values[0];  // of a mode of unit mass
+  solution.linear.relative_residual = std::ranges::max(eigen.residuals);
+  for (const Field& mode : eigen.modes)
+    solution.boundary_residual =
+        std::max(solution.boundary_residual, boundary_residual({mode}, solution.rule));
+  solution.seconds.solve = solve.seconds();
+}
+
+double ScalarProblem::boundary_residual(const ScalarSolution& solution) const {
+  std::vector<Field> fields;
+  for (const ScalarResults::Unknown& unknown : solution.results.unknowns)
+    fields.push_back(unknown.field);
+  return boundary_residual(fields, solution.rule);
+}
+
+double ScalarProblem::boundary_residual(const std::vector<Field>& fields,
+                                        const DomainRule& rule) const {
+  const bool eigen = problem_.study.type == Study::Type::eigen;
+  double largest = 0;
+  for (const PieceCondition& condition : conditions_) {
+    if (condition.kind != Condition::Kind::value) continue;
+    Field residual = fields[condition.component];
+    if (!eigen) residual = residual - condition.data[0];
+    if (condition.where) residual = select(step(*condition.where), residual, 0.0);
+    largest = std::max(
+        largest, maximum(residual, rule, {Contribution::Place::boundary, {condition.primitive}}));
+  }
+  return largest;
+}
+
+}  // namespace rfm
