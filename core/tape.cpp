@@ -36,6 +36,29 @@ double* aligned(double* pointer) {
   return reinterpret_cast<double*>((address + alignment - 1) / alignment * alignment);
 }
 
+template <int N, int K>
+Kernel find_kernel_at(Operation operation) {
+  static_assert(kernel_parts == 3);
+  switch (static_cast<int>(operation) % kernel_parts) {
+    case 0:
+      return find_compiled_kernel<N, K, 0>(operation);
+    case 1:
+      return find_compiled_kernel<N, K, 1>(operation);
+    default:
+      return find_compiled_kernel<N, K, 2>(operation);
+  }
+}
+
+template <int N>
+Kernel find_kernel_in(Operation operation, int order) {
+  Kernel kernel = nullptr;
+  [&]<int... K>(std::integer_sequence<int, K...>) {
+    ((order == K ? static_cast<void>(kernel = find_kernel_at<N, K>(operation)) : void()), ...);
+  }
+  (std::make_integer_sequence<int, highest_compiled_order(N) + 1>());
+  return kernel;
+}
+
 }  // namespace
 
 std::string missing_parameter(const Tape::Program& program, int number, std::size_t given) {

@@ -35,7 +35,7 @@ struct KernelShape<run_time, run_time> {
   BatchJet zero() const { return BatchJet(shape); }
 };
 
-/// Kernels for N variables and order K, instantiated in tape_kernels_{1,2,3}d.cpp and, for any
+/// Kernels for N variables and order K, instantiated in tape_kernels_{1,2,3}d*.cpp and, for any
 /// number and order, in tape_kernels_dynamic.cpp: load the jets of a few points, apply the rule,
 /// store, for all points of the block.
 template <int N, int K>
@@ -134,11 +134,9 @@ struct Kernels {
     }
   }
 
+  /// The kernel of an operation, if it is of this part (-1: of any).
+  template <int part>
   static Kernel find(Operation operation) {
-    if constexpr (Shape::is_compiled && K <= 2) {
-      if (operation == Operation::r0_conjunction) return r0_function<true>;
-      if (operation == Operation::r0_disjunction) return r0_function<false>;
-    }
     switch (operation) {
       case Operation::scale:
         return scale;
@@ -148,13 +146,34 @@ struct Kernels {
         return partial;
 #define RFM_KERNEL(id, name, arity, ...) \
   case Operation::id:                    \
-    return Shape::is_compiled ? apply_flattened<Operation::id, arity> : apply<Operation::id, arity>;
+    return kernel_of<Operation::id, arity, part>();
         RFM_OPERATIONS(RFM_KERNEL)
 #undef RFM_KERNEL
       default:
         return nullptr;
     }
   }
+
+ private:
+  template <Operation operation, int arity, int part>
+  static Kernel kernel_of() {
+    constexpr bool is_fused = Shape::is_compiled && K <= 2;
+    if constexpr (part >= 0 && static_cast<int>(operation) % kernel_parts != part)
+      return nullptr;
+    else if constexpr (is_fused && operation == Operation::r0_conjunction)
+      return r0_function<true>;
+    else if constexpr (is_fused && operation == Operation::r0_disjunction)
+      return r0_function<false>;
+    else if constexpr (Shape::is_compiled)
+      return apply_flattened<operation, arity>;
+    else
+      return apply<operation, arity>;
+  }
 };
+
+template <int N, int K, int part>
+Kernel find_compiled_kernel(Operation operation) {
+  return Kernels<N, K>::template find<part>(operation);
+}
 
 }  // namespace rfm

@@ -2,20 +2,14 @@
 
 namespace rfm {
 
-template <>
-Kernel find_kernel_in<1>(Operation operation, int order) {
-  switch (order) {
-    case 0:
-      return Kernels<1, 0>::find(operation);
-    case 1:
-      return Kernels<1, 1>::find(operation);
-    case 2:
-      return Kernels<1, 2>::find(operation);
-    case 3:
-      return Kernels<1, 3>::find(operation);
-    default:
-      return nullptr;
-  }
-}
+template Kernel find_compiled_kernel<1, 0, 0>(Operation);
+template Kernel find_compiled_kernel<1, 0, 1>(Operation);
+template Kernel find_compiled_kernel<1, 0, 2>(Operation);
+template Kernel find_compiled_kernel<1, 1, 0>(Operation);
+template Kernel find_compiled_kernel<1, 1, 1>(Operation);
+template Kernel find_compiled_kernel<1, 1, 2>(Operation);
+template Kernel find_compiled_kernel<1, 2, 0>(Operation);
+template Kernel find_compiled_kernel<1, 2, 1>(Operation);
+template Kernel find_compiled_kernel<1, 2, 2>(Operation);
 
 }  // namespace rfm

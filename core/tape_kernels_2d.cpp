@@ -2,20 +2,11 @@
 
 namespace rfm {
 
-template <>
-Kernel find_kernel_in<2>(Operation operation, int order) {
-  switch (order) {
-    case 0:
-      return Kernels<2, 0>::find(operation);
-    case 1:
-      return Kernels<2, 1>::find(operation);
-    case 2:
-      return Kernels<2, 2>::find(operation);
-    case 3:
-      return Kernels<2, 3>::find(operation);
-    default:
-      return find_high_kernel_in<2>(operation, order);
-  }
-}
+template Kernel find_compiled_kernel<2, 0, 0>(Operation);
+template Kernel find_compiled_kernel<2, 0, 1>(Operation);
+template Kernel find_compiled_kernel<2, 0, 2>(Operation);
+template Kernel find_compiled_kernel<2, 1, 0>(Operation);
+template Kernel find_compiled_kernel<2, 1, 1>(Operation);
+template Kernel find_compiled_kernel<2, 1, 2>(Operation);
 
 }  // namespace rfm

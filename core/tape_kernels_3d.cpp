@@ -2,18 +2,11 @@
 
 namespace rfm {
 
-template <>
-Kernel find_kernel_in<3>(Operation operation, int order) {
-  switch (order) {
-    case 0:
-      return Kernels<3, 0>::find(operation);
-    case 1:
-      return Kernels<3, 1>::find(operation);
-    case 2:
-      return Kernels<3, 2>::find(operation);
-    default:
-      return find_high_kernel_in<3>(operation, order);
-  }
-}
+template Kernel find_compiled_kernel<3, 0, 0>(Operation);
+template Kernel find_compiled_kernel<3, 0, 1>(Operation);
+template Kernel find_compiled_kernel<3, 0, 2>(Operation);
+template Kernel find_compiled_kernel<3, 1, 0>(Operation);
+template Kernel find_compiled_kernel<3, 1, 1>(Operation);
+template Kernel find_compiled_kernel<3, 1, 2>(Operation);
 
 }  // namespace rfm

@@ -40,6 +40,6 @@ void evaluate_composed_source(const Instruction& instruction, const Step& step, 
   }
 }
 
-Kernel find_dynamic_kernel(Operation operation) { return DynamicKernels::find(operation); }
+Kernel find_dynamic_kernel(Operation operation) { return DynamicKernels::find<-1>(operation); }
 
 }  // namespace rfm

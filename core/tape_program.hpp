@@ -59,22 +59,13 @@ constexpr int highest_compiled_order(int variables) {
   return variables > 3 ? -1 : variables == 2 ? 4 : 3;
 }
 
-/// The kernel for an operation in N variables; null for leaves.
-template <int N>
-Kernel find_kernel_in(Operation operation, int order);
-template <>
-Kernel find_kernel_in<1>(Operation operation, int order);
-template <>
-Kernel find_kernel_in<2>(Operation operation, int order);
-template <>
-Kernel find_kernel_in<3>(Operation operation, int order);
-/// The same for the highest order, in a file of its own: units stay below 20 s.
-template <int N>
-Kernel find_high_kernel_in(Operation operation, int order);
-template <>
-Kernel find_high_kernel_in<2>(Operation operation, int order);
-template <>
-Kernel find_high_kernel_in<3>(Operation operation, int order);
+/// The kernels of one shape are compiled in so many parts, by the number of the operation.
+inline constexpr int kernel_parts = 3;
+/// The kernel in N variables at order K of an operation of this part; null for others and for
+/// leaves. Instantiated in units of their own (core/tape_kernels_*.cpp), each of which compiles in
+/// less than 20 s.
+template <int N, int K, int part>
+Kernel find_compiled_kernel(Operation operation);
 /// The kernel that knows number of variables and order from its step.
 Kernel find_dynamic_kernel(Operation operation);
 /// Chooses among all of these.
