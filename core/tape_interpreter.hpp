@@ -57,7 +57,7 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
   return result;
 }
 
-/// Instantiated in tape_interpreter_{1,2,3}d.cpp and, at any order in any number of variables, in
+/// Instantiated in tape_interpreter_{1,2,3}d*.cpp and, at any order in any number of variables, in
 /// tape_interpreter_dynamic.cpp.
 template <int N>
 struct Interpreter {

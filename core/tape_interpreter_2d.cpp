@@ -2,6 +2,9 @@
 
 namespace rfm {
 
-template struct SinglePoint<2>;
+template void SinglePoint<2>::jet(const Tape::Program&, int, const Point&, const OtherValues&,
+                                  std::span<double>);
+template Interval SinglePoint<2>::value_bounds(const Tape::Program&, int, const Box&,
+                                               const OtherRanges&);
 
 }  // namespace rfm

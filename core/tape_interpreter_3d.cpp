@@ -2,6 +2,9 @@
 
 namespace rfm {
 
-template struct SinglePoint<3>;
+template void SinglePoint<3>::jet(const Tape::Program&, int, const Point&, const OtherValues&,
+                                  std::span<double>);
+template Interval SinglePoint<3>::value_bounds(const Tape::Program&, int, const Box&,
+                                               const OtherRanges&);
 
 }  // namespace rfm

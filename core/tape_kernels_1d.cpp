@@ -8,8 +8,5 @@ template Kernel find_compiled_kernel<1, 0, 2>(Operation);
 template Kernel find_compiled_kernel<1, 1, 0>(Operation);
 template Kernel find_compiled_kernel<1, 1, 1>(Operation);
 template Kernel find_compiled_kernel<1, 1, 2>(Operation);
-template Kernel find_compiled_kernel<1, 2, 0>(Operation);
-template Kernel find_compiled_kernel<1, 2, 1>(Operation);
-template Kernel find_compiled_kernel<1, 2, 2>(Operation);
 
 }  // namespace rfm

@@ -2,8 +2,6 @@
 
 namespace rfm {
 
-template Kernel find_compiled_kernel<2, 3, 0>(Operation);
-template Kernel find_compiled_kernel<2, 3, 1>(Operation);
 template Kernel find_compiled_kernel<2, 3, 2>(Operation);
 
 }  // namespace rfm

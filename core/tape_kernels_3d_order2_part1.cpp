@@ -3,7 +3,5 @@
 namespace rfm {
 
 template Kernel find_compiled_kernel<3, 2, 0>(Operation);
-template Kernel find_compiled_kernel<3, 2, 1>(Operation);
-template Kernel find_compiled_kernel<3, 2, 2>(Operation);
 
 }  // namespace rfm
