@@ -146,6 +146,41 @@ BooleanExpression without_redundancy(const BooleanExpression& expression) {
   }
 }
 
+BooleanExpression with_known_signs(const BooleanExpression& expression,
+                                   std::span<const Truth> signs) {
+  const std::vector<Node>& nodes = expression.nodes();
+  const auto truth_of = [](bool value) { return value ? Truth::yes : Truth::no; };
+  std::vector<Truth> values(nodes.size());
+  std::vector<int> place(nodes.size(), -1);  // of nodes whose value is unknown
+  std::vector<Node> open;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Node node = nodes[i];
+    if (node.kind == Kind::constant) values[i] = truth_of(node.first != 0);
+    if (node.kind == Kind::variable) values[i] = signs[node.first];
+    if (node.kind == Kind::negation) {
+      values[i] = static_cast<Truth>(-static_cast<int>(values[node.first]));
+      node.first = place[node.first];
+    }
+    if (joins(node.kind)) {
+      const Truth first = values[node.first], second = values[node.second];
+      values[i] =
+          node.kind == Kind::conjunction ? std::min(first, second) : std::max(first, second);
+      if (values[i] == Truth::unknown && first != second) {  // only one of them is
+        place[i] = place[first == Truth::unknown ? node.first : node.second];
+        continue;
+      }
+      node.first = place[node.first];
+      node.second = place[node.second];
+    }
+    if (values[i] != Truth::unknown) continue;
+    place[i] = static_cast<int>(open.size());
+    open.push_back(node);
+  }
+  if (values.back() != Truth::unknown)
+    return BooleanExpression::constant(values.back() == Truth::yes);
+  return BooleanExpression::of_nodes(open, place.back());
+}
+
 BooleanExpression dual(const BooleanExpression& expression) {
   std::vector<Node> nodes = expression.nodes();
   for (Node& node : nodes) {

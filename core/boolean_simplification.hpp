@@ -1,8 +1,16 @@
 #pragma once
 
+#include <span>
+
 #include "core/boolean.hpp"
 
 namespace rfm {
+
+/// The expression where variables of known sign are constants, propagated: of the others those
+/// remain on which the value may depend, as `BooleanExpression::mark_relevant` says, under their
+/// numbers. Where a few of many primitives are undecided it is as short as they are few.
+BooleanExpression with_known_signs(const BooleanExpression& expression,
+                                   std::span<const Truth> signs);
 
 /// The expression without what does not change it as a combination of *closed* sets: constants,
 /// repeated operands (a & a), absorbed ones (a & (a | b) = a), operands that another one contains

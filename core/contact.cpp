@@ -1,5 +1,6 @@
 #include "core/contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/intersection.hpp"
@@ -35,35 +36,39 @@ Contact contact(const Factor& a, const Factor& b, SignTree& tree) {
   // Inward normals that open by at least 90° mean an interior angle of at most 90°.
   constexpr double right_angle = 1e-8;
   const double scale = tree.bounds().longest_side();
-  const auto compare = [&](const Factor::Literal& p, const Factor::Literal& q) {
-    if (p.primitive == q.primitive) {
-      found = Contact::obtuse;
-      return;
-    }
-    tree.search(
-        [&](const SignTree::Node& node) {
-          return node.of(p.primitive) == Truth::unknown && node.of(q.primitive) == Truth::unknown &&
-                 node.inside != Truth::no && node.of(a.expression) == Truth::unknown &&
-                 node.of(b.expression) == Truth::unknown;
-        },
-        [&](const Box& box) {
-          const auto zero =
-              common_zero(region.level(p.primitive), region.level(q.primitive), box.center());
-          // Without a common zero nearby the curves touch, or pass each other closely: judged by
-          // their directions.
-          const Point at = zero ? *zero : box.center();
-          if (zero && !inside_enlarged(box, at)) return true;
-          if (zero && !region.contains(at, 1e-9 * scale)) return true;
-          found = Contact::acute;
-          if (cosine(p, q, region, at) > right_angle) found = Contact::obtuse;
-          return found != Contact::obtuse;
-        });
+  const auto compare = [&](const Factor::Literal& p, const Factor::Literal& q, const Box& box) {
+    const auto zero =
+        common_zero(region.level(p.primitive), region.level(q.primitive), box.center());
+    // Without a common zero nearby the curves touch, or pass each other closely: judged by their
+    // directions.
+    const Point at = zero ? *zero : box.center();
+    if (zero && (!inside_enlarged(box, at) || !region.contains(at, 1e-9 * scale))) return;
+    found =
+        cosine(p, q, region, at) > right_angle ? Contact::obtuse : std::max(found, Contact::acute);
   };
   for (const auto& p : a.literals)
-    for (const auto& q : b.literals) {
-      compare(p, q);
-      if (found == Contact::obtuse) return found;
-    }
+    for (const auto& q : b.literals)
+      if (p.primitive == q.primitive) return Contact::obtuse;
+  // One search for all pairs: of the literals of a large factor few are undecided in a box.
+  const auto undecided = [](const Factor& factor, const SignTree::Node& node) {
+    std::vector<Factor::Literal> literals;
+    for (const Factor::Literal& literal : factor.literals)
+      if (node.of(literal.primitive) == Truth::unknown) literals.push_back(literal);
+    return literals;
+  };
+  tree.search(
+      [&](const SignTree::Node& node) {
+        return node.inside != Truth::no && node.of(a.expression) == Truth::unknown &&
+               node.of(b.expression) == Truth::unknown;
+      },
+      [&](const SignTree::Node& node) {
+        for (const auto& p : undecided(a, node))
+          for (const auto& q : undecided(b, node)) {
+            compare(p, q, node.box);
+            if (found == Contact::obtuse) return false;
+          }
+        return true;
+      });
   return found;
 }
 
@@ -73,7 +78,7 @@ bool meets_region(const Factor& factor, SignTree& tree) {
       [&](const SignTree::Node& node) {
         return node.inside != Truth::no && node.of(factor.expression) == Truth::unknown;
       },
-      [&](const Box&) {
+      [&](const SignTree::Node&) {
         may_meet = true;
         return false;
       });
@@ -90,7 +95,7 @@ bool extends_beyond_piece(int primitive, SignTree& tree) {
       [&](const SignTree::Node& node) {
         return node.of(primitive) == Truth::unknown && node.of(both) != Truth::no;
       },
-      [&](const Box&) {
+      [&](const SignTree::Node&) {
         may_extend = true;
         return false;
       });
@@ -107,7 +112,7 @@ bool has_sign_within(int primitive, bool positive, SignTree& tree) {
         return node.of(primitive) != (positive ? Truth::no : Truth::yes) &&
                node.of(there) != Truth::no;
       },
-      [&](const Box&) {
+      [&](const SignTree::Node&) {
         may_have = true;
         return false;
       });
@@ -127,7 +132,7 @@ bool may_cross_within(int first, int second, SignTree& tree) {
         return node.of(first) == Truth::unknown && node.of(second) == Truth::unknown &&
                node.of(always) != Truth::no;
       },
-      [&](const Box&) {
+      [&](const SignTree::Node&) {
         may_cross = true;
         return false;
       });
@@ -140,7 +145,7 @@ bool may_vanish_within(const LevelFunction& function, SignTree& tree) {
       [&](const SignTree::Node& node) {
         return node.inside != Truth::no && function.bounds(node.box).value.low <= 0;
       },
-      [&](const Box&) {
+      [&](const SignTree::Node&) {
         may_vanish = true;
         return false;
       });

@@ -1,10 +1,13 @@
 #include "core/regularity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
+#include "core/boolean_simplification.hpp"
 #include "core/diagnosis.hpp"
 #include "core/intersection.hpp"
 #include "core/r_functions.hpp"
@@ -19,7 +22,8 @@ class IrregularitySearch {
   IrregularitySearch(const RegionEvaluator& region, const Box& bounds)
       : region_(region),
         bounds_(bounds),
-        smallest_((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side()) {}
+        smallest_((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side()),
+        signs_(region.primitive_count(), Truth::unknown) {}
 
   std::vector<Irregularity> run() {
     Box start = bounds_;  // enlarged, so that what lies on its sides is inside
@@ -27,17 +31,18 @@ class IrregularitySearch {
       start.low[axis] -= 1.3e-3 * bounds_.longest_side();
       start.high[axis] += 1.7e-3 * bounds_.longest_side();
     }
-    std::vector<Box> pending{start};
+    std::vector<Part> pending{{start, region_.region().expression()}};
     while (!pending.empty()) {
-      const Box box = pending.back();
+      const Part part = narrowed(pending.back());
       pending.pop_back();
-      const std::vector<int> open = undecided(box);
+      const std::vector<int> open = undecided(part);
       if (open.empty()) continue;
-      if (box.longest_side() <= smallest_) {
-        look_at(box, open);
+      if (part.box.longest_side() <= smallest_) {
+        look_at(part.box, open);
         continue;
       }
-      for (const Box& half : bisect(box, box.longest_axis())) pending.push_back(half);
+      for (const Box& half : bisect(part.box, part.box.longest_axis()))
+        pending.push_back({half, part.expression});
     }
     std::vector<Irregularity> list;
     for (const auto& [key, points] : found_) list.push_back(gathered(key, points));
@@ -51,40 +56,49 @@ class IrregularitySearch {
  private:
   using Key = std::pair<Irregularity::Kind, std::vector<int>>;
 
+  // A box, and Φ over it: in the primitives that are not decided there.
+  struct Part {
+    Box box;
+    BooleanExpression expression;
+  };
+
+  // With what bounds over the box decide, those of second order where the quick ones leave Φ open.
+  Part narrowed(Part part) {
+    for (const bool tight : {false, true}) {
+      for (const BooleanExpression::Node& node : part.expression.nodes()) {
+        if (node.kind != BooleanExpression::Kind::variable) continue;
+        const LevelFunction& level = region_.level(node.first);
+        const Interval range = tight ? level.bounds(part.box).value : level.value_bounds(part.box);
+        signs_[node.first] = range.low > 0    ? Truth::yes
+                             : range.high < 0 ? Truth::no
+                                              : Truth::unknown;
+      }
+      part.expression = with_known_signs(part.expression, signs_);
+    }
+    return part;
+  }
+
   // The primitives on which the sign of Φ over a box may depend; none where it is proved, or
   // depends on one primitive that changes its sign.
-  std::vector<int> undecided(const Box& box) const {
-    const BooleanExpression& whole = region_.region().expression();
-    const int count = region_.primitive_count();
-    std::vector<Truth> signs(count);
-    for (int k = 0; k < count; ++k) {
-      const Interval range = region_.level(k).value_bounds(box);
-      signs[k] = range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
-    }
-    if (whole.evaluate(signs) != Truth::unknown) return {};
-    for (int k = 0; k < count; ++k) {
-      if (signs[k] != Truth::unknown) continue;
-      const Interval range = region_.level(k).bounds(box).value;
-      signs[k] = range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
-    }
-    const auto relevant = std::make_unique<bool[]>(count);
-    whole.mark_relevant(signs, {relevant.get(), static_cast<std::size_t>(count)});
+  std::vector<int> undecided(const Part& part) {
     std::vector<int> open;
-    for (int k = 0; k < count; ++k)
-      if (relevant[k]) open.push_back(k);
-    if (open.size() == 1 && decides(open[0], signs)) open.clear();
+    for (const BooleanExpression::Node& node : part.expression.nodes())
+      if (node.kind == BooleanExpression::Kind::variable) open.push_back(node.first);
+    std::ranges::sort(open);
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+    if (open.size() == 1 && decides(open[0], part.expression)) open.clear();
     return open;
   }
 
-  // Whether one side of a primitive is inside and the other outside, and it has two sides.
-  bool decides(int primitive, std::vector<Truth> signs) const {
+  // Whether one side of a primitive, the only one of `expression`, is inside and the other outside,
+  // and it has two sides.
+  bool decides(int primitive, const BooleanExpression& expression) {
     const Interval& range = region_.level(primitive).range();
     if (range.low >= 0 || range.high <= 0) return false;
-    const BooleanExpression& whole = region_.region().expression();
-    signs[primitive] = Truth::yes;
-    const Truth above = whole.evaluate(signs);
-    signs[primitive] = Truth::no;
-    return above != whole.evaluate(signs);
+    signs_[primitive] = Truth::yes;
+    const Truth above = expression.evaluate(signs_);
+    signs_[primitive] = Truth::no;
+    return above != expression.evaluate(signs_);
   }
 
   void look_at(const Box& box, const std::vector<int>& open) {
@@ -111,6 +125,11 @@ class IrregularitySearch {
     for (int axis = 0; axis < box.dimension; ++axis)
       if (std::fabs((*point)[axis] - box.center()[axis]) > box.length(axis)) return;
     const double scale = bounds_.longest_side();
+    // Once, however many boxes and pairs of primitives it is found from.
+    std::array<double, 3> rounded{};
+    for (int axis = 0; axis < box.dimension; ++axis)
+      rounded[axis] = std::round((*point)[axis] / (1e-10 * scale));
+    if (!seen_.insert(rounded).second) return;
     Surroundings around = surroundings(region_, *point, 1e-9 * scale, 1e-5 * scale);
     if (region_.region().expression().evaluate(around.signs) != Truth::unknown) return;
     if (around.any_inside && around.any_outside) return;
@@ -150,7 +169,9 @@ class IrregularitySearch {
   const RegionEvaluator& region_;
   const Box& bounds_;
   double smallest_;
+  std::vector<Truth> signs_;  // of the primitives of the part looked at
   std::map<Key, std::vector<Point>> found_;
+  std::set<std::array<double, 3>> seen_;
 };
 
 std::string names_of(const std::vector<int>& primitives, const Region& region) {

@@ -16,29 +16,37 @@ SignTree::SignTree(const RegionEvaluator& region, const Box& bounds)
   smallest_ = (bounds.dimension == 3 ? 0x1p-6 : 0x1p-10) * start.longest_side();
   std::vector<int> all(region.primitive_count());
   std::iota(all.begin(), all.end(), 0);
-  add(start, std::vector<Truth>(all.size(), Truth::unknown), all);
+  signs_.resize(all.size(), Truth::unknown);
+  add(start, all, Truth::unknown);
 }
 
-void SignTree::add(const Box& box, const std::vector<Truth>& signs,
-                   const std::vector<int>& undecided) {
-  Node node{box, signs, Truth::unknown, {}};
+// With the signs of the box that it is half of; `inside` is what is known of that one.
+void SignTree::add(const Box& box, const std::vector<int>& undecided, Truth inside) {
+  Part part{box, inside, {}, {}};
   for (const int k : undecided) {
     Interval range = region_.level(k).value_bounds(box);
     if (range.contains(0)) range = region_.level(k).bounds(box).value;
     // Not ≥ 0 but > 0: a zero on the very edge of the box counts as a contact.
-    node.signs[k] = range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown;
-    if (node.signs[k] == Truth::unknown) node.undecided.push_back(k);
+    if (range.low > 0)
+      part.decided.emplace_back(k, Truth::yes);
+    else if (range.high < 0)
+      part.decided.emplace_back(k, Truth::no);
+    else
+      part.undecided.push_back(k);
   }
-  node.inside = region_.region().expression().evaluate(node.signs);
-  nodes_.push_back(std::move(node));
+  if (inside == Truth::unknown) {
+    const SignsOfPart signs(signs_, part);
+    part.inside = region_.region().expression().evaluate(signs_);
+  }
+  parts_.push_back(std::move(part));
 }
 
 void SignTree::halve(int number) {
-  if (nodes_[number].first_half >= 0) return;
-  nodes_[number].first_half = static_cast<int>(nodes_.size());
-  const Box box = nodes_[number].box;
-  for (const Box& half : bisect(box, box.longest_axis()))
-    add(half, nodes_[number].signs, nodes_[number].undecided);
+  Part& part = parts_[number];
+  if (part.first_half >= 0) return;
+  part.first_half = static_cast<int>(parts_.size());
+  for (const Box& half : bisect(part.box, part.box.longest_axis()))
+    add(half, part.undecided, part.inside);
 }
 
 }  // namespace rfm

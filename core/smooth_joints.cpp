@@ -97,8 +97,8 @@ class JointSearch {
         [&](const SignTree::Node& node) {
           return node.inside == Truth::unknown && node.undecided.size() > 1 && has_curved(node);
         },
-        [&](const Box& box) {
-          look(box);
+        [&](const SignTree::Node& node) {
+          look(node.box);
           return true;
         });
     return joints_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/boolean_simplification.hpp"
 #include "core/point_algebra.hpp"
 
 namespace rfm {
@@ -80,6 +81,13 @@ Surroundings surroundings(const RegionEvaluator& region, const Point& point, dou
     if (slope > 0)
       normals.push_back({gradient[0] / slope, gradient[1] / slope, gradient[2] / slope});
   }
+  const Truth here = region.region().expression().evaluate(result.signs);
+  if (here != Truth::unknown) {
+    result.any_inside = here == Truth::yes;
+    result.any_outside = here == Truth::no;
+    return result;
+  }
+  const BooleanExpression open = with_known_signs(region.region().expression(), result.signs);
   const std::vector<Point> directions = region.dimension() == 1   ? directions_on_a_line()
                                         : region.dimension() == 2 ? directions_in_the_plane(normals)
                                                                   : directions_in_space(normals);
@@ -89,8 +97,7 @@ Surroundings surroundings(const RegionEvaluator& region, const Point& point, dou
     for (int axis = 0; axis < region.dimension(); ++axis) beside[axis] += reach * d[axis];
     for (const int k : result.vanishing)
       signs[k] = region.level(k).value(beside) >= 0 ? Truth::yes : Truth::no;
-    (region.region().expression().evaluate(signs) == Truth::yes ? result.any_inside
-                                                                : result.any_outside) = true;
+    (open.evaluate(signs) == Truth::yes ? result.any_inside : result.any_outside) = true;
   }
   return result;
 }

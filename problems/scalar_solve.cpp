@@ -7,6 +7,7 @@
 
 #include "basis/tensor_polynomials.hpp"
 #include "core/error.hpp"
+#include "core/tape.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
@@ -298,15 +299,32 @@ double ScalarProblem::boundary_residual(const ScalarSolution& solution) const {
 
 double ScalarProblem::boundary_residual(const std::vector<Field>& fields,
                                         const DomainRule& rule) const {
-  const bool eigen = problem_.study.type == Study::Type::eigen;
-  double largest = 0;
+  // Pieces that one formula holds on are looked at together: a polygon has hundreds.
+  struct Group {
+    const PieceCondition* first;
+    std::vector<int> primitives;
+  };
+  std::vector<Group> groups;
   for (const PieceCondition& condition : conditions_) {
     if (condition.kind != Condition::Kind::value) continue;
-    Field residual = fields[condition.component];
-    if (!eigen) residual = residual - condition.data[0];
-    if (condition.where) residual = select(step(*condition.where), residual, 0.0);
-    largest = std::max(
-        largest, maximum(residual, rule, {Contribution::Place::boundary, {condition.primitive}}));
+    const auto known = std::ranges::find_if(groups, [&](const Group& group) {
+      return !condition.where && !group.first->where &&
+             group.first->component == condition.component &&
+             same_expression(group.first->data[0], condition.data[0]);
+    });
+    if (known != groups.end())
+      known->primitives.push_back(condition.primitive);
+    else
+      groups.push_back({&condition, {condition.primitive}});
+  }
+  const bool eigen = problem_.study.type == Study::Type::eigen;
+  double largest = 0;
+  for (const auto& [first, primitives] : groups) {
+    Field residual = fields[first->component];
+    if (!eigen) residual = residual - first->data[0];
+    if (first->where) residual = select(step(*first->where), residual, 0.0);
+    largest =
+        std::max(largest, maximum(residual, rule, {Contribution::Place::boundary, primitives}));
   }
   return largest;
 }

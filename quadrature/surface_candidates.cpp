@@ -4,6 +4,8 @@
 #include <memory>
 #include <numeric>
 
+#include "core/boolean_simplification.hpp"
+
 namespace rfm {
 namespace {
 
@@ -74,7 +76,12 @@ void SurfaceCandidates::shorten(const Box& box, const RegionEvaluator& region) {
 }
 
 TruthTable SurfaceCandidates::make_table(const BooleanExpression& expression) {
-  TruthTable table(expression, primitives, signs);
+  // Of many primitives few are left: the table is that of the short expression which they are in.
+  std::vector<Truth> known = signs;
+  for (Truth& sign : known)
+    if (sign == Truth::unknown) sign = Truth::no;
+  for (const int k : primitives) known[k] = Truth::unknown;
+  TruthTable table(with_known_signs(expression, known), primitives, known);
   for (int v = 0; v < table.variable_count();) {
     if (table.depends_on(v)) {
       ++v;

@@ -26,13 +26,19 @@ class PlaceBlocks {
       : volume_(rule),
         surface_(place.place == Contribution::Place::interface ? rule.interfaces()
                                                                : rule.boundary()),
-        place_(place),
         arguments_(arguments),
-        dimension_(rule.dimension()) {}
+        dimension_(rule.dimension()),
+        is_volume_(place.place == Contribution::Place::volume) {
+    if (is_volume_) return;
+    for (const int number : place.numbers) {
+      if (number >= static_cast<int>(is_chosen_.size())) is_chosen_.resize(number + 1, false);
+      is_chosen_[number] = true;
+    }
+  }
 
-  int count() const { return is_volume() ? volume_.count() : surface_.count(); }
+  int count() const { return is_volume_ ? volume_.count() : surface_.count(); }
 
-  // Calls visit(block number, block, workspace) for all blocks, in parallel.
+  // Calls visit(block number, block, workspace) for all blocks with points that count, in parallel.
   template <class Visit>
   void evaluate(const Tape& tape, Visit&& visit) const {
     struct Scratch {
@@ -45,7 +51,8 @@ class PlaceBlocks {
     tbb::parallel_for(0, count(), [&](int number) {
       Scratch& scratch = scratches.local();
       const QuadratureBlock block =
-          is_volume() ? volume_.block(number, scratch.buffer) : surface_.block(number);
+          is_volume_ ? volume_.block(number, scratch.buffer) : surface_.block(number);
+      if (!has_points(block)) return;
       const PointBlock points{block.coordinates, block.count, arguments_.time,
                               arguments_.parameters};
       if (tape.root_count() > 0) tape.evaluate(points, scratch.workspace);
@@ -54,9 +61,8 @@ class PlaceBlocks {
   }
 
   bool counts(const QuadratureBlock& block, int point) const {
-    const std::vector<int>& chosen = place_.numbers;
-    return is_volume() || chosen.empty() ||
-           std::find(chosen.begin(), chosen.end(), block.numbers[point]) != chosen.end();
+    return is_chosen_.empty() || (block.numbers[point] < static_cast<int>(is_chosen_.size()) &&
+                                  is_chosen_[block.numbers[point]]);
   }
 
   // `fields` are those that the value was made of.
@@ -75,12 +81,18 @@ class PlaceBlocks {
   }
 
  private:
-  bool is_volume() const { return place_.place == Contribution::Place::volume; }
+  bool has_points(const QuadratureBlock& block) const {
+    for (int point = 0; point < block.count; ++point)
+      if (counts(block, point)) return true;
+    return false;
+  }
+
   VolumeBlocks volume_;
   SurfaceBlocks surface_;
-  const IntegrationPlace& place_;
   const FieldArguments& arguments_;
   int dimension_;
+  bool is_volume_;
+  std::vector<bool> is_chosen_;  // by number; empty where all count
 };
 
 // Σ_α n^α f_α at a point of a block; the fields are roots of a tape from `root` on.

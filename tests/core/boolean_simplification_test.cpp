@@ -48,6 +48,27 @@ BooleanExpression random_expression(std::mt19937& generator, int depth) {
 
 std::size_t size(const BooleanExpression& expression) { return expression.nodes().size(); }
 
+TEST(WithKnownSigns, HasTheValuesOfTheWholeAndItsRelevantVariablesAlone) {
+  std::mt19937 generator(3);
+  for (int trial = 0; trial < 60; ++trial) {
+    const BooleanExpression whole = random_expression(generator, 5);
+    for_all_signs([&](const Signs& signs) {
+      const BooleanExpression open = with_known_signs(whole, signs);
+      std::array<bool, variables> relevant{}, occurs{};
+      whole.mark_relevant(signs, relevant);
+      for (const auto& node : open.nodes())
+        if (node.kind == BooleanExpression::Kind::variable) occurs[node.first] = true;
+      EXPECT_EQ(occurs, relevant);
+      for_all_signs([&](const Signs& further) {  // whatever the others turn out to be
+        Signs all = signs;
+        for (int v = 0; v < variables; ++v)
+          if (signs[v] == Truth::unknown) all[v] = further[v];
+        EXPECT_EQ(open.evaluate(all), whole.evaluate(all));
+      });
+    });
+  }
+}
+
 TEST(WithoutRedundancy, AppliesTheLawsOfLattices) {
   EXPECT_EQ(size(without_redundancy(a & a)), 1u);
   EXPECT_EQ(size(without_redundancy(a | a | a)), 1u);

@@ -25,10 +25,10 @@ TEST(SignTree, ProvesSignsAndHalvesUntilItKnowsOrIsAtItsResolution) {
         }
         return node.inside == Truth::unknown;
       },
-      [&](const Box& box) {
+      [&](const SignTree::Node& node) {
         ++leaves;
-        EXPECT_LE(box.longest_side(), 2.1 * 0x1p-10);
-        EXPECT_GT(2.1 * box.longest_side(), 2.0 * 0x1p-10);
+        EXPECT_LE(node.box.longest_side(), 2.1 * 0x1p-10);
+        EXPECT_GT(2.1 * node.box.longest_side(), 2.0 * 0x1p-10);
         return true;
       });
   EXPECT_GT(leaves, 5000);  // about the length of the circles in boxes

@@ -8,6 +8,7 @@
 
 #include "core/bounding_box.hpp"
 #include "core/polygon.hpp"
+#include "core/regularity.hpp"
 #include "core/weight.hpp"
 
 namespace rfm::benchmarks {
@@ -33,14 +34,21 @@ void bounding_box_of_a_polygon(benchmark::State& state) {
   const RegionEvaluator region(polygon(star(state.range(0))));
   for (auto _ : state) benchmark::DoNotOptimize(bounding_box(region));
 }
-BENCHMARK(bounding_box_of_a_polygon)->Arg(100)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK(bounding_box_of_a_polygon)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 void weight_of_a_polygon(benchmark::State& state) {
   const RegionEvaluator region(polygon(star(state.range(0))));
   const Box bounds{2, {-1, -1}, {1, 1}};
   for (auto _ : state) benchmark::DoNotOptimize(weight(region, bounds));
 }
-BENCHMARK(weight_of_a_polygon)->Arg(100)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK(weight_of_a_polygon)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+void irregularities_of_a_polygon(benchmark::State& state) {
+  const RegionEvaluator region(polygon(star(state.range(0))));
+  const Box bounds{2, {-1, -1}, {1, 1}};
+  for (auto _ : state) benchmark::DoNotOptimize(irregularities(region, bounds));
+}
+BENCHMARK(irregularities_of_a_polygon)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rfm::benchmarks
