@@ -3,44 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quadrature/iterated_rule.hpp"
+#include "quadrature/order_comparison.hpp"
 
 namespace rfm {
 namespace {
 
 // In steps of `work_done`: mostly the time to touch new memory.
 constexpr int work_of_point = 4;
-
-// A gradient at a surface, and by how much the surface is larger than its shadow across `height`.
-struct SurfaceNormal {
-  SurfaceNormal(const Surface& surface, const Point& point, int dimension, int height) {
-    surface.value_and_gradient(point, gradient);
-    for (int axis = 0; axis < dimension; ++axis) length += gradient[axis] * gradient[axis];
-    length = std::sqrt(length);
-    // Steeper than any certified graph; only best efforts are cut off.
-    constexpr double steepest = 1e4;
-    stretch = length / std::fabs(gradient[height]);
-    if (!(stretch < steepest)) stretch = steepest;
-  }
-  Point gradient{};
-  double length = 0;
-  double stretch = 0;
-};
-
-// Adds up what a rule says of the cell, in the coordinates of the cell.
-struct MomentSums {
-  const Box& cell;
-  CellMoments& moments;
-  bool with_first;
-
-  void add(double CellMeasure::*part, const Point& point, double weight) {
-    moments.measure.*part += weight;
-    if (!with_first) return;
-    for (int axis = 0; axis < cell.dimension; ++axis)
-      moments.first[axis].*part +=
-          weight * (2 * (point[axis] - cell.low[axis]) / cell.length(axis) - 1);
-  }
-};
 
 // Makes points and weights.
 struct PointSink {
@@ -70,35 +39,17 @@ struct PointSink {
                      const Point& point, int height, double weight) {
     if (active.numbers[surface] == ActiveSet::no_piece) return;
     work_done += active.surfaces[surface]->cost().crossing;
-    const SurfaceNormal at(*active.surfaces[surface], point, dimension, height);
+    Point gradient{};
+    active.surfaces[surface]->value_and_gradient(point, gradient);
+    const SurfaceStretch at(gradient, dimension, height);
     const double scale = at.length > 0 ? (inside_is_positive ? -1 : 1) / at.length : 0.0;
     Point normal{};
-    for (int axis = 0; axis < dimension; ++axis) normal[axis] = scale * at.gradient[axis];
+    for (int axis = 0; axis < dimension; ++axis) normal[axis] = scale * gradient[axis];
     SurfacePoints& points = active.is_interface(surface) ? rule.interfaces : rule.boundary;
     points.add(dimension, world(point), frame ? frame->rotate(normal) : normal, weight * at.stretch,
                active.numbers[surface]);
     if (!active.is_interface(surface))
       sums.add(&CellMeasure::boundary, world(point), weight * at.stretch);
-  }
-};
-
-// Only adds up what the rule of another order says of volume and boundary.
-struct MomentSink {
-  int dimension;
-  MomentSums sums;
-  const Frame* frame = nullptr;
-
-  Point world(const Point& point) const { return frame ? frame->to_world(point) : point; }
-
-  void line_part(const LineSegment& line, double from, double length, double weight,
-                 const GaussRule&) {
-    sums.add(&CellMeasure::volume, world(line.at(from + 0.5 * length)), weight * length);
-  }
-  void surface_point(const ActiveSet& active, int surface, bool, const Point& point, int height,
-                     double weight) {
-    if (active.numbers[surface] == ActiveSet::no_piece || active.is_interface(surface)) return;
-    const SurfaceNormal at(*active.surfaces[surface], point, dimension, height);
-    sums.add(&CellMeasure::boundary, world(point), weight * at.stretch);
   }
 };
 
@@ -114,8 +65,7 @@ class RuleBuilder : public PartVisitor {
               {cell, rule.moments, options.compare_orders && options.points > 2}},
         points_(options.points, sink_),
         compare_(options.compare_orders),
-        other_sink_{cell.dimension, {cell, rule.other_moments, options.points > 2}},
-        others_(other_points(options.points), other_sink_) {}
+        others_(cell, rule.other_moments, options.points, options.points > 2) {}
 
   void full(const Box& box, const Frame* frame) override {
     rule_.is_full = !frame && box.low == cell_.low && box.high == cell_.high;
@@ -127,42 +77,60 @@ class RuleBuilder : public PartVisitor {
   }
   void reduced(const ActiveSet& active, const LineSegment& line) override {
     begin_part(nullptr);
-    add([&](auto& rule) { rule.add_line(active, 0, line, 1); });
+    points_.add_line(active, 0, line, 1);
+    if (compare_) others_.add_line(active, line);
   }
   void reduced(const Reduction2D& reduction) override {
     begin_part(reduction.frame());
-    add([&](auto& rule) { rule.add_plane(reduction, 1); });
+    add(
+        reduction.active(), [&](auto& rule) { rule.add_plane(reduction, 1); },
+        [&](auto& others, const LineRecord* record) { others.add_plane(reduction, record); });
   }
   void reduced(Reduction3D& reduction) override {
     begin_part(nullptr);
-    add([&](auto& rule) { rule.add_space(reduction); });
+    add(
+        reduction.active(), [&](auto& rule) { rule.add_space(reduction); },
+        [&](auto& others, const LineRecord* record) { others.add_space(reduction, record); });
   }
   void not_certified() override {
     rule_.uncertified.boundary += rule_.moments.measure.boundary - boundary_before_;
   }
 
-  void limit_points(int most) override { most_points_ = most; }
+  void begin(const PartQuality& quality) override { quality_ = quality; }
 
  private:
-  static int other_points(int points) { return points > 1 ? points - 1 : 2; }
-
   // By the rules of both orders, or by others with fewer points.
-  template <class Add>
-  void add(Add&& add_to) {
-    if (most_points_ >= points_.points()) {
-      add_to(points_);
-      if (compare_) add_to(others_);
+  template <class Add, class Compare>
+  void add(const ActiveSet& active, Add&& add_to, Compare&& compare) {
+    if (quality_.most_points < points_.points()) {
+      IteratedRule<PointSink> fewer(quality_.most_points, sink_);
+      add_to(fewer);
+      if (!compare_) return;
+      OrderComparison others(cell_, rule_.other_moments, quality_.most_points,
+                             sink_.sums.with_first);
+      others.set_frame(sink_.frame);
+      compare(others, nullptr);
       return;
     }
-    IteratedRule<PointSink> fewer(most_points_, sink_);
-    add_to(fewer);
+    LineRecord* const record = compare_ && is_followed(active) ? &rule_.lines : nullptr;
+    if (record) record->clear();
+    points_.set_record(record);
+    add_to(points_);
     if (!compare_) return;
-    IteratedRule<MomentSink> others(other_points(most_points_), other_sink_);
-    add_to(others);
+    others_.set_frame(sink_.frame);
+    compare(others_, record);
+  }
+
+  // Only where structure is proven do the lines of one rule tell where to look for those of the
+  // other; on quadrics roots in closed form are no dearer.
+  bool is_followed(const ActiveSet& active) const {
+    bool all_closed = true;
+    for (int i = 0; i < active.count; ++i) all_closed &= active.surfaces[i]->quadric() != nullptr;
+    return quality_.proven && !all_closed;
   }
 
   void begin_part(const Frame* frame) {
-    sink_.frame = other_sink_.frame = frame;
+    sink_.frame = frame;
     boundary_before_ = rule_.moments.measure.boundary;
   }
 
@@ -176,11 +144,10 @@ class RuleBuilder : public PartVisitor {
   CellRule& rule_;
   PointSink sink_;
   double boundary_before_ = 0;  // of the part that is being made
-  int most_points_ = unlimited;
+  PartQuality quality_;
   IteratedRule<PointSink> points_;
   bool compare_;
-  MomentSink other_sink_;
-  IteratedRule<MomentSink> others_;
+  OrderComparison others_;
 };
 
 // The largest of measure and first moments.

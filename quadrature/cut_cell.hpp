@@ -1,7 +1,8 @@
 #pragma once
 
-#include "quadrature/cell_measure.hpp"
+#include "quadrature/cell_moments.hpp"
 #include "quadrature/gauss_legendre.hpp"
+#include "quadrature/line_record.hpp"
 #include "quadrature/quadrature_points.hpp"
 #include "quadrature/subdivision.hpp"
 
@@ -11,20 +12,13 @@ struct CellRuleOptions {
   /// Gauss points per one-dimensional piece.
   int points = 6;
   /// Whether volume and boundary are also found by the rule of one point fewer (one more, if there
-  /// is one): half of the cost again.
+  /// is one): a fifth of the cost again.
   bool compare_orders = true;
   /// Gauss points per axis of boxes within the cell that are inside: nothing is bent there, and
   /// what serves cells inside serves smaller boxes.
   int inside_points = 4;
   /// The part of the budget of a cell that is for this box.
   double share = 1;
-};
-
-/// Sums of the weights of a rule, and of weights times coordinates that run from −1 to 1 across the
-/// cell.
-struct CellMoments {
-  CellMeasure measure;
-  std::array<CellMeasure, 3> first;
 };
 
 /// What a cut cell contributes to a rule.
@@ -40,6 +34,8 @@ struct CellRule {
   CellMeasure order_difference;
   /// Of the last box, by both rules.
   CellMoments moments, other_moments;
+  /// Memory for the lines of a part, used again.
+  LineRecord lines;
   /// The whole box is inside and nothing splits it.
   bool is_full = false;
 };

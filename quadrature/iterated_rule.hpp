@@ -1,7 +1,7 @@
 #pragma once
 
 #include "quadrature/gauss_legendre.hpp"
-#include "quadrature/smooth_intervals.hpp"
+#include "quadrature/line_record.hpp"
 
 namespace rfm {
 
@@ -22,11 +22,17 @@ class IteratedRule {
  public:
   IteratedRule(int points, Sink& sink) : gauss_(gauss_legendre(points)), sink_(sink) {}
 
+  /// The crossings of the lines of planes are written to `record`, if there is one.
+  void set_record(LineRecord* record) { record_ = record; }
+
   int points() const { return gauss_.size(); }
   void add_line(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line,
-                double weight);
+                double weight, LineRecord* record = nullptr);
   void add_plane(const Reduction2D& reduction, double weight);
   void add_space(Reduction3D& reduction);
+  /// Of these, what stands along the lines and across the axes.
+  void add_walls(const Reduction2D& reduction, double weight);
+  void add_walls(Reduction3D& reduction);
 
  private:
   void add_wall(const Reduction2D& reduction, const Wall& wall, double weight);
@@ -34,12 +40,13 @@ class IteratedRule {
 
   const GaussRule& gauss_;
   Sink& sink_;
+  LineRecord* record_ = nullptr;
   SmoothIntervals intervals_;
 };
 
 template <class Sink>
 void IteratedRule<Sink>::add_line(const ActiveSet& active, SurfaceSigns parallel,
-                                  const LineSegment& line, double weight) {
+                                  const LineSegment& line, double weight, LineRecord* record) {
   const LineRoots roots = find_line_roots(active, parallel, line);
   walk_line(
       active, roots, line,
@@ -50,16 +57,26 @@ void IteratedRule<Sink>::add_line(const ActiveSet& active, SurfaceSigns parallel
       [&](const LineCrossing& crossing) {
         sink_.surface_point(active, crossing.surface, crossing.inside_is_positive,
                             line.at(crossing.position), line.axis, weight);
+        if (record) record->add_crossing(crossing);
       });
+  if (record) record->end_line(active.inside(roots.start));
 }
 
 template <class Sink>
 void IteratedRule<Sink>::add_plane(const Reduction2D& reduction, double weight) {
-  for (const SmoothInterval& interval : intervals_.of_plane(reduction))
+  if (record_) record_->begin_section();
+  for (const SmoothInterval& interval : intervals_.of_plane(reduction)) {
+    if (record_) record_->begin_strip(interval);
     for (int k = 0; k < gauss_.size(); ++k)
       add_line(reduction.active(), reduction.vertical(),
                reduction.line(interval.at(gauss_.nodes[k])),
-               weight * interval.length() * gauss_.weights[k]);
+               weight * interval.length() * gauss_.weights[k], record_);
+  }
+  add_walls(reduction, weight);
+}
+
+template <class Sink>
+void IteratedRule<Sink>::add_walls(const Reduction2D& reduction, double weight) {
   for (const auto& wall : reduction.walls()) add_wall(reduction, wall, weight);
 }
 
@@ -79,10 +96,17 @@ void IteratedRule<Sink>::add_wall(const Reduction2D& reduction, const Wall& wall
 
 template <class Sink>
 void IteratedRule<Sink>::add_space(Reduction3D& reduction) {
-  for (const SmoothInterval& interval : intervals_.of_space(reduction))
+  for (const SmoothInterval& interval : intervals_.of_space(reduction)) {
+    if (record_) record_->begin_block(interval);
     for (int k = 0; k < gauss_.size(); ++k)
       add_plane(reduction.section(interval.at(gauss_.nodes[k])),
                 interval.length() * gauss_.weights[k]);
+  }
+  add_walls(reduction);
+}
+
+template <class Sink>
+void IteratedRule<Sink>::add_walls(Reduction3D& reduction) {
   for (const auto& wall : reduction.walls()) add_wall(reduction, wall);
 }
 

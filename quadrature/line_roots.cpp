@@ -8,6 +8,18 @@
 namespace rfm {
 namespace {
 
+// The root near zero of c + b s + a s². Where the parabola is nearly straight it is a continued
+// fraction with one division instead of a root between two, to a relative error of (ac/b²)⁴: half
+// of the time of a step.
+double near_root(double c, double b, double a) {
+  constexpr double nearly_straight = 0.04;
+  const double bb = b * b, ac = a * c;
+  if (std::fabs(ac) <= nearly_straight * bb)
+    return -c * b * (bb - 2 * ac) / (bb * (bb - 3 * ac) + ac * ac);
+  const double root = std::sqrt(std::max(bb - 4 * ac, 0.0));
+  return -2 * c / (b + std::copysign(root, b));
+}
+
 // The root of c + b s + a s² between 0 and `length`, where its sign changes once. Of the two roots
 // the nearer one, 2|c| / (|b| + √(b² − 4ac)), if the polynomial starts towards zero, and the
 // farther one otherwise: no difference of nearly equal numbers is taken.
@@ -42,9 +54,7 @@ double polished_root(const Surface& surface, const LineSegment& line, const Ends
     double slope = 0;
     const double value = along(t, slope);
     if (value == 0) return t;
-    const double curve = 0.5 * (slope - slope_before) / (t - before);
-    const double root = std::sqrt(std::max(slope * slope - 4 * curve * value, 0.0));
-    const double change = -2 * value / (slope + std::copysign(root, slope));
+    const double change = near_root(value, slope, 0.5 * (slope - slope_before) / (t - before));
     if (std::fabs(change) < last_step * length) return std::clamp(t + change, line.low, line.high);
     before = t;
     slope_before = slope;
@@ -79,9 +89,16 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth lo
   const QuadricEvaluator* const quadric = surface.quadric();
   const double curve = quadric ? quadric->square[Quadric::square_index(line.axis, line.axis)]
                                : ((value_high - value_low) / length - slope_low) / length;
-  const double start = line.low + quadratic_root(value_low, slope_low, curve, length);
-  crossing.position =
-      quadric ? start : polished_root(surface, line, {value_low, slope_low, value_high}, start);
+  if (quadric) {
+    crossing.position = line.low + quadratic_root(value_low, slope_low, curve, length);
+    return crossing;
+  }
+  const double step = near_root(value_low, slope_low, curve);
+  // Also where it is not a number.
+  const double start =
+      line.low +
+      (step > 0 && step < length ? step : quadratic_root(value_low, slope_low, curve, length));
+  crossing.position = polished_root(surface, line, {value_low, slope_low, value_high}, start);
   return crossing;
 }
 

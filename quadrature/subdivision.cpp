@@ -66,13 +66,14 @@ bool Subdivision::may_bisect(const ActiveSet& active, int depth) const {
 }
 
 template <class Reduction>
-void Subdivision::report(Reduction& reduction) {
+void Subdivision::report(Reduction& reduction, bool proven) {
   // Small boxes lose little by fewer points; a tenth of the budget later it has to end.
   const std::int64_t overspent = work_done - last_work;
   is_limited_ = overspent > 0;
-  visitor_->limit_points(!is_limited_                         ? PartVisitor::unlimited
-                         : 10 * overspent < options_.max_work ? 4
-                                                              : 2);
+  const int most_points = !is_limited_                         ? PartQuality::unlimited
+                          : 10 * overspent < options_.max_work ? 4
+                                                               : 2;
+  visitor_->begin({most_points, proven && reduction.certified()});
   visitor_->reduced(reduction);
 }
 
@@ -149,7 +150,7 @@ bool Subdivision::reduced(const Box& box, const ActiveSet& active,
   if (box.dimension == 2) {
     const int height = proven ? heights.proven[0] : heights.likely;
     plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
-    report(plane_);
+    report(plane_, proven);
     if (!proven || !plane_.certified() || is_limited_) add_uncertified(box);
   } else {
     visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
@@ -177,7 +178,7 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
       return true;
     }
     if (outcome == Reduction3D::Outcome::not_reduced) continue;
-    report(space_);
+    report(space_, !space_.has_contacts());
     if (!space_.certified() || is_limited_) {
       add_uncertified(box);
     } else if (space_.has_contacts()) {
@@ -190,7 +191,7 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
   options.in_haste = depth < max_depth_ || 2 * (last_work - work_done) < options_.max_work;
   space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
                options);
-  report(space_);
+  report(space_, false);
   add_uncertified(box);
   return true;
 }

@@ -8,6 +8,15 @@
 
 namespace rfm {
 
+/// How the parts that follow are known.
+struct PartQuality {
+  static constexpr int unlimited = 1000;
+  /// Gauss points that a piece may have: few when the budget is spent.
+  int most_points = unlimited;
+  /// Bounds prove the structure.
+  bool proven = true;
+};
+
 /// Receives the parts into which a cell is taken apart. They do not overlap; what is not reported
 /// is outside.
 class PartVisitor {
@@ -20,9 +29,8 @@ class PartVisitor {
   virtual void reduced(const Reduction2D& reduction) = 0;
   /// Not const: sections share the memory of the reduction.
   virtual void reduced(Reduction3D& reduction) = 0;
-  /// How many Gauss points a piece of the parts that follow may have: few when the budget is spent.
-  static constexpr int unlimited = 1000;
-  virtual void limit_points(int) {}
+  /// Comes before `reduced` in the plane and in space.
+  virtual void begin(const PartQuality&) {}
   /// The part reported last is a best effort.
   virtual void not_certified() {}
 };
@@ -55,7 +63,7 @@ class Subdivision {
                      int depth);
   bool may_bisect(const ActiveSet& active, int depth) const;
   template <class Reduction>
-  void report(Reduction& reduction);
+  void report(Reduction& reduction, bool proven);
   void add_contact(const Box& box);
   /// After `box` was reported.
   void add_uncertified(const Box& box);
