@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -39,7 +41,11 @@ class ConstantPool {
  public:
   /// The offset of a part with these coefficients, from the start of the pool.
   int find(const std::vector<double>& coefficients) {
-    const auto [place, inserted] = known_.try_emplace(coefficients, 0);
+    std::vector<std::uint64_t> bits;
+    bits.reserve(coefficients.size());
+    for (const double coefficient : coefficients)
+      bits.push_back(std::bit_cast<std::uint64_t>(coefficient));
+    const auto [place, inserted] = known_.try_emplace(std::move(bits), 0);
     if (inserted) place->second = add(coefficients);
     return place->second;
   }
@@ -64,7 +70,8 @@ class ConstantPool {
   struct Column {
     int used = 0, limit = 0;
   };
-  std::map<std::vector<double>, int> known_;
+  // By their bits: a NaN would be equal to all numbers, −0 is not 0.
+  std::map<std::vector<std::uint64_t>, int> known_;
   std::map<int, Column> next_;
   std::vector<double> numbers_;
 };
