@@ -235,6 +235,15 @@ DynamicJet<T> select(const auto& condition, const DynamicJet<T>& yes, const Dyna
   return chosen;
 }
 
+/// Also the derivatives of a constant `f` are undefined where the argument is.
+template <class T>
+DynamicJet<T> nan_where_nan(const DynamicJet<T>& f, const DynamicJet<T>& argument) {
+  DynamicJet<T> result(common_shape(f, argument));
+  for (int i = 0; i < result.size; ++i)
+    result.c[i] = nan_where_nan(coefficient(f, i), argument.c[0]);
+  return result;
+}
+
 /// ∂a/∂(axis): one order less is meaningful, coefficients of the highest degree are zero.
 template <class T>
 DynamicJet<T> differentiate(const DynamicJet<T>& a, int axis) {

@@ -13,55 +13,54 @@ namespace rfm {
 // must not pass for the other side of a condition.
 
 template <class T, int N, int K>
-Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const T& argument) {
-  for (T& coefficient : f.c) coefficient = nan_where_nan(coefficient, argument);
+Jet<T, N, K> nan_where_nan(Jet<T, N, K> f, const Jet<T, N, K>& argument) {
+  for (T& coefficient : f.c) coefficient = nan_where_nan(coefficient, argument.c[0]);
   return f;
 }
 
-/// Never −0, so that it is one number over [0, 1), −0 included.
 template <class T, int N, int K>
 Jet<T, N, K> floor(const Jet<T, N, K>& a) {
-  using std::floor;
-  return nan_where_nan(Jet<T, N, K>::constant(floor(a.c[0]) + T(0.0)), a.c[0]);
+  using std::floor;  // + 0: never −0, so that it is one number over [0, 1), −0 included
+  return nan_where_nan(Jet<T, N, K>::constant(floor(a.c[0]) + T(0.0)), a);
 }
 
 /// 1 where the mask holds, else 0.
 template <class T, int N, int K>
-Jet<T, N, K> indicator(const auto& mask, const T& argument) {
+Jet<T, N, K> indicator(const auto& mask, const Jet<T, N, K>& argument) {
   return nan_where_nan(Jet<T, N, K>::constant(select(mask, T(1.0), T(0.0))), argument);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> step(const Jet<T, N, K>& a) {
-  return indicator<T, N, K>(less_equal(T(0.0), a.c[0]), a.c[0]);
+  return indicator(less_equal(T(0.0), a.c[0]), a);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> less_than(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return nan_where_nan(indicator<T, N, K>(less(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+  return nan_where_nan(indicator(less(a.c[0], b.c[0]), a), b);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> at_most(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return nan_where_nan(indicator<T, N, K>(less_equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+  return nan_where_nan(indicator(less_equal(a.c[0], b.c[0]), a), b);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> equals(const Jet<T, N, K>& a, const Jet<T, N, K>& b) {
-  return nan_where_nan(indicator<T, N, K>(equal(a.c[0], b.c[0]), a.c[0]), b.c[0]);
+  return nan_where_nan(indicator(equal(a.c[0], b.c[0]), a), b);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> choose(const Jet<T, N, K>& condition, const Jet<T, N, K>& yes,
                     const Jet<T, N, K>& no) {
-  return nan_where_nan(select(equal(condition.c[0], T(0.0)), no, yes), condition.c[0]);
+  return nan_where_nan(select(equal(condition.c[0], T(0.0)), no, yes), condition);
 }
 
 template <class T, int N, int K>
 Jet<T, N, K> sign(const Jet<T, N, K>& a) {
   const T negative_or_zero = select(less(a.c[0], T(0.0)), T(-1.0), T(0.0));
   return nan_where_nan(
-      Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero)), a.c[0]);
+      Jet<T, N, K>::constant(select(less(T(0.0), a.c[0]), T(1.0), negative_or_zero)), a);
 }
 
 template <class T, int N, int K>

@@ -211,6 +211,35 @@ TEST_P(Conformance, WhatIsNotANumberStaysSo) {
     }
 }
 
+// Derivatives of what is not a number follow conventions (those of a sum are not touched), but the
+// same ones everywhere: an order must not decide whether a point outside the domain is seen.
+TEST_P(Conformance, DerivativesOfWhatIsNotANumberAreAlikeInEveryEvaluator) {
+  const Row& row = GetParam();
+  const int arity = find_operation(row.operation)->arity;
+  std::vector<Arguments> points;
+  for (const double other : {0.0, -1.0, 2.5}) {
+    points.push_back({std::nan(""), other, 0.5});
+    if (arity > 1) points.push_back({other, std::nan(""), 0.5});
+  }
+  // Whether the slope along the first variable is a number, by the first evaluator at first order.
+  std::vector<bool> is_number;
+  for (const Evaluator& evaluator : all_evaluators())
+    for (const int variables : {1, 2, 3, 4})
+      for (const int order : {1, 2, 3, 5}) {
+        const ArgumentShape shape = ArgumentShape::mixed(variables, order);
+        if (!evaluator.serves(row, shape)) continue;
+        const auto jets = evaluator.jets(row, shape, points);
+        if (is_number.empty())
+          for (const auto& jet : jets) is_number.push_back(!std::isnan(jet[1]));
+        for (std::size_t i = 0; i < points.size(); ++i)
+          for (std::size_t k = 1; k < jets[i].size() && k < 5; ++k)
+            EXPECT_EQ(!std::isnan(jets[i][k]), is_number[i])
+                << row.identifier << " by " << evaluator.name << " in " << variables
+                << " variables to order " << order << ", coefficient " << k << ", at "
+                << text_of(points[i]);
+      }
+}
+
 TEST_P(Conformance, InfinityHasItsLimitInEveryEvaluator) {
   const Row& row = GetParam();
   const int arity = find_operation(row.operation)->arity;
