@@ -66,9 +66,17 @@ bool meet(Polynomial& a, Polynomial& b, const auto& may_move) {
 }
 
 // Moving p by s along an axis adds 2 s Aⱼ to slope j. At its own origin, s away, q has slopes
-// bⱼ + 2 s Aⱼ of its own: as large, if A of q is.
+// bⱼ + 2 s Aⱼ of its own: as large, if A of q is. Of linear functions it adds s p_axis to the
+// constant, which in a product is a slope; wherever the point is, one of p and q is s / 2 away
+// from its origin, and has a term as large, if the slope of q is.
 bool may_move_in_sum(const Polynomial& p, const Polynomial& q, int axis) {
   const double step = std::abs(p.origin[axis] - q.origin[axis]);
+  if (p.is_affine() && q.is_affine()) {
+    const double added = step * std::abs(p.linear[axis]);
+    const double present =
+        step * std::abs(q.linear[axis]) + std::abs(p.constant) + std::abs(q.constant);
+    return added <= 4 * present;
+  }
   for (int j = 0; j < 3; ++j) {
     const double added = 2 * step * std::abs(p.square[square_index(axis, j)]);
     const double present = 2 * step * std::abs(q.square[square_index(axis, j)]) +

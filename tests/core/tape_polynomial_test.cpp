@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
+#include "core/evaluate.hpp"
+#include "core/expression_text.hpp"
 #include "core/primitives.hpp"
 #include "core/tape.hpp"
 
@@ -191,6 +194,77 @@ TEST(TapePolynomial, SmallTermsAboutDistantOriginsLoseNoDigits) {
     for (const Point& point :
          {Point{0.7, 0.3}, Point{1e-3, 1e-3}, Point{1000.5, 999}, Point{1e6, 1}})
       expect_slopes_of_operations(f, point);
+}
+
+// A random expression of sums, differences and products in x and y, with the value and the
+// derivatives that its operations have at a point, and their conditions: what rounding each
+// operation, also those for the derivatives, changes in units of u.
+struct Measured {
+  Field field;
+  long double value = 0;
+  std::array<long double, 2> slopes{};
+  long double condition = 0;
+  std::array<long double, 2> conditions{};
+};
+
+Measured random_expression(int depth, const Point& at, std::mt19937& random) {
+  const auto below = [&](int n) { return static_cast<int>(random() % n); };
+  if (depth == 0 || below(5) == 0) {
+    const int axis = below(5);
+    if (axis < 2)
+      return {.field = coordinate(axis),
+              .value = at[axis],
+              .slopes = {axis == 0 ? 1.0L : 0, axis == 1 ? 1.0L : 0}};
+    constexpr double sizes[] = {1, 1e8, 1e-3, 3.3, 0.1};
+    double number = std::uniform_real_distribution(-1.0, 1.0)(random) * sizes[below(5)];
+    if (below(3) == 0) number = at[below(2)];
+    return {.field = number, .value = number};
+  }
+  const Measured a = random_expression(depth - 1, at, random);
+  const Measured b = random_expression(depth - 1, at, random);
+  const int operation = below(3);
+  if (operation < 2) {
+    const long double sign = operation == 0 ? 1 : -1;
+    Measured sum{.field = operation == 0 ? a.field + b.field : a.field - b.field,
+                 .value = a.value + sign * b.value};
+    sum.condition = a.condition + b.condition + std::fabs(sum.value);
+    for (int i = 0; i < 2; ++i) {
+      sum.slopes[i] = a.slopes[i] + sign * b.slopes[i];
+      sum.conditions[i] = a.conditions[i] + b.conditions[i] + std::fabs(sum.slopes[i]);
+    }
+    return sum;
+  }
+  Measured product{.field = a.field * b.field, .value = a.value * b.value};
+  const auto of_product = [](long double f, long double cf, long double g, long double cg) {
+    return std::fabs(f) * cg + cf * std::fabs(g) + std::fabs(f * g);
+  };
+  product.condition = of_product(a.value, a.condition, b.value, b.condition);
+  for (int i = 0; i < 2; ++i) {
+    product.slopes[i] = a.value * b.slopes[i] + b.value * a.slopes[i];
+    product.conditions[i] = of_product(a.value, a.condition, b.slopes[i], b.conditions[i]) +
+                            of_product(b.value, b.condition, a.slopes[i], a.conditions[i]);
+  }
+  return product;
+}
+
+TEST(TapePolynomial, RandomSumsAndProductsLoseNoDigitsOfTheirExpressions) {
+  std::mt19937 random(5);
+  constexpr double sizes[] = {1, 1e8, 1e3, 1e-5};
+  for (int i = 0; i < 20'000; ++i) {
+    Point at{};
+    for (int axis = 0; axis < 2; ++axis)
+      at[axis] = std::uniform_real_distribution(-1.0, 1.0)(random) * sizes[random() % 4];
+    const Measured f = random_expression(4, at, random);
+    if (f.field.is_constant()) continue;
+    const auto jet = evaluate(f.field, at, 1, 2);
+    // The reference itself is rounded: 2⁻⁶⁴ of the condition.
+    const auto allowed = [](long double condition) { return 8 * 0x1p-53L * condition + 1e-290L; };
+    ASSERT_LE(std::fabs(jet.value() - f.value), allowed(f.condition)) << to_text(f.field);
+    for (int axis = 0; axis < 2; ++axis)
+      ASSERT_LE(std::fabs(jet.derivative(axis == 0, axis == 1) - f.slopes[axis]),
+                allowed(f.conditions[axis]))
+          << to_text(f.field) << " along axis " << axis << " at " << at[0] << ", " << at[1];
+  }
 }
 
 TEST(TapePolynomial, CoordinatesThatDoNotOccurMayBeOfAnySize) {
