@@ -39,13 +39,21 @@ class GraphValues {
   }
   /// Whether value and derivatives up to `order` are finite.
   bool is_finite(const Field& field, int order) const {
-    const int root = place_.at(&field.node());
-    for (int i = 0; i < jet_size(dimension_, order); ++i)
-      if (!std::isfinite(workspace_.coefficient(root, i)[0])) return false;
-    return true;
+    return all(field, order, [](double c) { return std::isfinite(c); });
+  }
+  /// Whether they are numbers, infinite ones included.
+  bool is_number(const Field& field, int order) const {
+    return all(field, order, [](double c) { return !std::isnan(c); });
   }
 
  private:
+  bool all(const Field& field, int order, const auto& holds) const {
+    const int root = place_.at(&field.node());
+    for (int i = 0; i < jet_size(dimension_, order); ++i)
+      if (!holds(workspace_.coefficient(root, i)[0])) return false;
+    return true;
+  }
+
   // Nodes of the graph as roots, users before arguments, and the orders that they need.
   std::vector<Field> collect(const Field& root) {
     std::vector<std::pair<Field, bool>> pending{{root, false}};
@@ -151,12 +159,19 @@ std::string diagnose(const Field& field, const Point& point, int dimension, doub
   for (Field part = field;;) {
     const Field::Node& node = part.node();
     const int needed = order + (node.operation == Operation::partial ? 1 : 0);
-    const Field* culprit = nullptr;
+    // An infinite argument may be harmless: min(1/x, sqrt(y)) at (0, -1) fails by the root.
+    const Field *culprit = nullptr, *infinite = nullptr;
     for (std::size_t i = 0; i < node.arguments.size() && !culprit; ++i) {
+      const Field& argument = node.arguments[i];
       const bool not_taken = node.operation == Operation::select && i > 0 &&
                              (values.value(node.arguments[0]) != 0) != (i == 1);
-      if (!not_taken && !values.is_finite(node.arguments[i], needed)) culprit = &node.arguments[i];
+      if (not_taken || values.is_finite(argument, needed)) continue;
+      if (!values.is_number(argument, needed))
+        culprit = &argument;
+      else if (!infinite)
+        infinite = &argument;
     }
+    if (!culprit) culprit = infinite;
     if (!culprit) return failure_text(part, values);
     order = needed;
     part = Field(*culprit);

@@ -34,6 +34,14 @@ TEST(Diagnosis, BranchesNotTakenAreNotBlamed) {
   EXPECT_EQ(diagnose(select(inside, x, sqrt(x - 3)), {-0.5, 0}, 2), "");
 }
 
+TEST(Diagnosis, InfinityIsNotBlamedForWhatAnotherArgumentFailsOf) {
+  const Field infinite = 1 / x, failing = sqrt(y);
+  for (const Field& f : {min(infinite, failing), max(infinite, failing), infinite + failing,
+                         apply(Operation::atan2, {infinite, failing})})
+    EXPECT_EQ(diagnose(f, {0, -1}, 2), "sqrt(-1) in sqrt(y)");
+  EXPECT_EQ(diagnose(infinite - infinite * y, {0, 1}, 2), "1 / 0 in 1/x");
+}
+
 TEST(Diagnosis, ComparisonsWithWhatIsNotANumberDoNotHideIt) {
   const Field root = sqrt(x);
   const Field below = apply(Operation::less, {root, 1.0});
