@@ -115,8 +115,10 @@ bool ShortestWay::improve() {
   const QuadraticMinimum minimum =
       constrained_minimum(ShiftedCholesky(matrix, 2 * n), gradient, 2 * n, linear);
   double moved = 0;
-  for (int i = 0; i < 2 * n; ++i) moved = std::max(moved, std::fabs(minimum.step[i]));
-  if (!std::isfinite(moved)) return false;
+  for (int i = 0; i < 2 * n; ++i) {
+    if (!std::isfinite(minimum.step[i])) return false;
+    moved = std::max(moved, std::fabs(minimum.step[i]));
+  }
   for (std::size_t k = 0; k < conditions_.size(); ++k)
     conditions_[k].multiplier = minimum.multipliers[k];
   for (const int side : {0, 1}) {

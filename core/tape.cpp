@@ -36,6 +36,13 @@ double* aligned(double* pointer) {
   return reinterpret_cast<double*>((address + alignment - 1) / alignment * alignment);
 }
 
+// NaN ends nothing either.
+void check_box(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(box.low[axis] <= box.high[axis]))
+      throw InvalidArgument("bounds are asked for over a box that ends before it begins");
+}
+
 template <int N, int K>
 Kernel find_kernel_at(Operation operation) {
   static_assert(kernel_parts == 3);
@@ -204,6 +211,7 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
 
 FunctionBounds Tape::bounds(const Box& box, int root, const OtherRanges& others) const {
   checked(root);
+  check_box(box);
   return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
     return SinglePoint<N>::bounds(*program_, root, box, others);
   });
@@ -211,6 +219,7 @@ FunctionBounds Tape::bounds(const Box& box, int root, const OtherRanges& others)
 
 Interval Tape::value_bounds(const Box& box, int root, const OtherRanges& others) const {
   checked(root);
+  check_box(box);
   return in_dimension(dimension(), program_->highest_order, [&]<int N>() {
     return SinglePoint<N>::value_bounds(*program_, root, box, others);
   });

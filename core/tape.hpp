@@ -44,7 +44,7 @@ class Tape {
   void evaluate(const PointBlock& points, Workspace& workspace) const;
   /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
   /// models with interval remainders; of a root of order 0 the gradient is not bounded. The
-  /// gradient is with respect to the tape's variables.
+  /// gradient is with respect to the tape's variables. Throws `InvalidArgument` if low > high.
   FunctionBounds bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;
   /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
   Interval value_bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;

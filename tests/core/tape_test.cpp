@@ -174,6 +174,15 @@ TEST(Tape, WrongArgumentsAreRefused) {
   EXPECT_NO_THROW(tape.evaluate(Points().block(), workspace));
 }
 
+TEST(Tape, BoxesThatEndBeforeTheyBeginHaveNoBounds) {
+  const Tape tape({x * x}, {1}, 1);
+  for (const Box& box : {Box{1, {1, 0, 0}, {-1, 0, 0}}, Box{1, {NAN, 0, 0}, {1, 0, 0}}}) {
+    EXPECT_THROW(tape.bounds(box), InvalidArgument);
+    EXPECT_THROW(tape.value_bounds(box), InvalidArgument);
+  }
+  EXPECT_NO_THROW(tape.bounds({1, {1, 0, 0}, {1, 0, 0}}));
+}
+
 TEST(Tape, EveryNumberOfPointsOfABlockIsEvaluated) {
   const Field f = exp(x) * y - z / (2 + x * x);
   const Tape tape({f, partial(f, 0)}, {1, 0}, 3);
