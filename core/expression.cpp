@@ -160,7 +160,7 @@ class Parser {
                        next.length);
     take();
     comparison();
-    expect(")");
+    expect(")", "an operator or ");
     nodes_.back().begin = begin.offset;
     nodes_.back().end = end_;
   }
@@ -174,7 +174,7 @@ class Parser {
         ++arguments;
       } while (take_if(","));
     }
-    expect(")", "',' or ')'");
+    expect(")", "an operator, ", "',' or ");
     append(Node::Kind::call, begin, name, arguments);
   }
 
@@ -184,13 +184,15 @@ class Parser {
     return true;
   }
 
-  void expect(std::string_view symbol, std::string_view described = {}) {
+  // `others` says what else could follow: an operator, if the text goes on, and a symbol.
+  void expect(std::string_view symbol, std::string_view operators = {},
+              std::string_view others = {}) {
     if (take_if(symbol)) return;
     const Token& found = tokens_.peek();
-    const std::string expected =
-        described.empty() ? "'" + std::string(symbol) + "'" : std::string(described);
-    throw InputError("expected " + expected + " but found " + found.quoted(), found.offset,
-                     found.length);
+    std::string expected = "expected ";
+    if (found.kind != Token::Kind::end) expected += operators;
+    expected += std::string(others) + "'" + std::string(symbol) + "' but found " + found.quoted();
+    throw InputError(expected, found.offset, found.length);
   }
 
   [[noreturn]] static void refuse_rest(const Token& token) {

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "core/error.hpp"
+#include "core/expression_tokens.hpp"
 #include "core/expression_writer.hpp"
 
 namespace rfm {
@@ -68,7 +69,10 @@ DefinitionsText to_definitions(const Field& field, const std::string& prefix,
   FieldNames names = given_names(options);
   std::unordered_set<std::string> taken(options.parameters.begin(), options.parameters.end());
   for (const auto& [node, name] : names) taken.insert(name);
+  if (!is_name(prefix)) throw InvalidArgument("'" + prefix + "' cannot begin the name of a part");
   Census census = take_census(field.node());
+  for (const Field::Node* node : census.order)
+    if (node->name) taken.insert(*node->name);
   DefinitionsText text;
   int number = 0;
   for (const Field::Node* node : census.order) {

@@ -117,6 +117,7 @@ Field apply(Operation operation, std::vector<Field> arguments, std::optional<dou
       throw InvalidArgument(name + " needs " + expected + ", got " + std::to_string(*number));
   if (operation == Operation::power && is_finite_number(arguments[1]))
     return pow(arguments[0], arguments[1]);
+  if (operation == Operation::integer_power && *number == 0) return 1.0;
   double value = 0;
   if (fold(operation, arguments, number.value_or(0), value)) return Field(value);
   const int index = operation == Operation::integer_power ? static_cast<int>(*number) : 0;

@@ -1,9 +1,11 @@
 #include "core/parameters.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
+#include "core/expression.hpp"
 #include "core/expression_tokens.hpp"
 #include "core/nearest_name.hpp"
 
@@ -17,6 +19,9 @@ Field Parameters::add(const std::string& name, double value) {
   if (!is_name(name))
     throw InvalidArgument("'" + name + "' cannot name a parameter: names are a letter, then " +
                           "letters, digits and '_'");
+  constexpr std::array<std::string_view, 4> coordinates{"x", "y", "z", "t"};
+  if (is_reserved_in_expressions(name) || std::ranges::find(coordinates, name) != coordinates.end())
+    throw InvalidArgument("'" + name + "' cannot name a parameter: it has a meaning in formulas");
   if (contains(name)) throw InvalidArgument("there is a parameter '" + name + "' already");
   names_.push_back(name);
   values_.push_back(value);

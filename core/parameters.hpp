@@ -29,8 +29,8 @@ class Parameters {
   Parameters() = default;
   Parameters(std::initializer_list<std::pair<std::string, double>> named);
 
-  /// A further parameter, as a field. Throws `InvalidArgument` if the name is taken, or no name
-  /// (a letter, then letters, digits and `_`).
+  /// A further parameter, as a field. Throws `InvalidArgument` if the name is taken, no name
+  /// (a letter, then letters, digits and `_`), or has a meaning in formulas (`x`, `pi`, `sin`).
   Field add(const std::string& name, double value);
   /// The parameter of this name as a field, its value, a new value. Throw `InvalidArgument` where
   /// there is none, with the nearest name.

@@ -53,6 +53,11 @@ SplineField::SplineField(const Grid& grid, int degree, std::vector<double> coeff
     throw InvalidArgument("a spline of degree " + std::to_string(degree) + " on this grid has " +
                           std::to_string(coefficient_count(grid, degree)) + " coefficients, not " +
                           std::to_string(coefficients_.size()));
+  const auto bad =
+      std::ranges::find_if_not(coefficients_, [](double c) { return std::isfinite(c); });
+  if (bad != coefficients_.end())
+    throw InvalidArgument("coefficient " + std::to_string(bad - coefficients_.begin()) +
+                          " of a spline is not finite");
   for (int axis = 0; axis < grid.dimension(); ++axis) {
     splines_[axis] = grid.cells(axis) + degree;
     tolerance_[axis] = outside_tolerance * grid.box().length(axis);

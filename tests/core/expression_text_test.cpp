@@ -228,6 +228,15 @@ TEST(ToText, NamedFieldsAppearByNameAndPartsAvoidNamesThatAreTaken) {
   EXPECT_EQ(text.formula, "part2*part2 + part1");
 }
 
+TEST(ToText, PartsAvoidTheNamesOfParametersAndNeedAName) {
+  const Field twice = sin(x + y), f = twice * twice + parameter(0, "part1");
+  const DefinitionsText text = to_definitions(f);
+  ASSERT_EQ(text.definitions.size(), 1u);
+  EXPECT_EQ(text.definitions[0].first, "part2");
+  EXPECT_EQ(text.formula, "part2*part2 + part1");
+  EXPECT_THROW(to_definitions(f, "2part"), InvalidArgument);
+}
+
 TEST(ToText, MessagesAreCutOffAndDescribeWhatHasNoName) {
   ExpressionTextOptions options;
   options.abbreviated = true;

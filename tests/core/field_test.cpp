@@ -147,6 +147,7 @@ TEST(Powers, WithANumberAsExponentAreTheSameHoweverTheyAreMade) {
     }
   }
   EXPECT_EQ(value_at(apply(Operation::power, {x, 2.0}), {-3}), 9);
+  EXPECT_TRUE(apply(Operation::integer_power, {x}, 0).is_constant(1));
   EXPECT_EQ(apply(Operation::power, {-3.0, 2.0}).constant(), 9);
   // No number: as it is.
   EXPECT_EQ(value_at(apply(Operation::power, {x, INFINITY}), {2}), INFINITY);

@@ -79,6 +79,15 @@ TEST(Parameters, WrongNamesAreRefusedWithTheNearest) {
               ThrowsMessage<InvalidArgument>(HasSubstr("'2r' cannot name a parameter")));
 }
 
+TEST(Parameters, NamesWithAMeaningInFormulasAreRefused) {
+  for (const char* name : {"x", "y", "z", "t", "pi", "sin", "dx"})
+    EXPECT_THAT([&] { Parameters().add(name, 1); },
+                ThrowsMessage<InvalidArgument>("'" + std::string(name) +
+                                               "' cannot name a parameter: it has a meaning in "
+                                               "formulas"));
+  EXPECT_NO_THROW(Parameters().add("x1", 1));
+}
+
 TEST(Parameters, ThatAreMissingAreNamed) {
   const Tape tape({x * parameter(1, "k")}, {0}, 1);
   const double one[] = {1.0};

@@ -223,6 +223,12 @@ TEST(SplineField, IsSmoothWithinACellAndFromDegreeTwoOnEverywhere) {
 TEST(SplineField, WrongNumbersAreRefused) {
   EXPECT_THROW(SplineField(rectangle, 9, {}), InvalidArgument);
   EXPECT_THROW(SplineField(rectangle, 2, std::vector<double>(34)), InvalidArgument);
+  std::vector<double> coefficients(SplineField::coefficient_count(rectangle, 2));
+  EXPECT_NO_THROW(SplineField(rectangle, 2, coefficients));
+  for (const double bad : {double(NAN), double(INFINITY)}) {
+    coefficients[3] = bad;
+    EXPECT_THROW(SplineField(rectangle, 2, coefficients), InvalidArgument);
+  }
 }
 
 }  // namespace
