@@ -21,7 +21,7 @@ namespace rfm {
 /// which follows the arguments in text: rp_and(x, y, 4). `reference` is the plain value in real
 /// numbers of any precision or in power series, by the definition rather than by the stable form:
 /// what the rule is tested against. Names that are no words are operators. Adding an operation is
-/// adding a row (and the functions its rule calls).
+/// adding a row, the functions its rule calls, and its derivative in core/graph_derivative.cpp.
 // clang-format off
 #define RFM_OPERATIONS(X)                                                                          \
   X(add, "+", 2, 0, a + b, a + b, "a + b", "", "")                                                 \

@@ -1,6 +1,7 @@
 // From instructions to the steps that evaluate blocks: which instructions are polynomials in closed
 // form, where every coefficient lies, and which registers share rows.
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/tape_memory.hpp"
@@ -37,13 +38,18 @@ class Lowering {
     for (int i = 0; i < static_cast<int>(code_.size()); ++i) {
       if (order_[i] < 0) continue;
       make(i);
-      for (const int operand : used_operands(i)) release(operand, i);
+      for_used_operands(i, [&](int operand) { release(operand, i); });
     }
     collect_roots();
     finish();
   }
 
  private:
+  // Rows of a register: all of them, or those of value and gradient.
+  struct Rows {
+    int offset = 0, count = 0;
+  };
+
   // Leaves are read where they lie; polynomials are known beyond their value; all else is computed
   // coefficient by coefficient.
   bool is_leaf(int i) const {
@@ -73,12 +79,10 @@ class Lowering {
         known_[i] = &polynomials_.emplace_back(*found);
   }
 
-  std::vector<int> used_operands(int i) const {
-    std::vector<int> used;
-    if (is_leaf(i) || is_sum(i)) return used;
+  void for_used_operands(int i, const auto& visit) const {
+    if (is_leaf(i) || is_sum(i)) return;
     for (const int operand : code_[i].operands)
-      if (operand >= 0) used.push_back(operand);
-    return used;
+      if (operand >= 0) visit(operand);
   }
 
   void find_orders(const std::vector<int>& orders) {
@@ -92,22 +96,24 @@ class Lowering {
       highest_ = std::max(highest_, order_[i]);
       const int own = polynomial(i) ? 0 : order_[i];
       const int needed = own + (code_[i].operation == Operation::partial ? 1 : 0);
-      for (const int operand : used_operands(i)) {
+      for_used_operands(i, [&](int operand) {
         order_[operand] = std::max(order_[operand], needed);
         last_use_[operand] = std::max(last_use_[operand], i);
-      }
+      });
     }
   }
 
   void release(int i, int user) {
     if (last_use_[i] != user) return;
     last_use_[i] = forever;  // an argument may occur twice
-    for (const auto& [offset, rows] : owned_[i]) pool_.give_back(offset, rows);
+    for (const Rows& rows : owned_[i])
+      if (rows.count > 0) pool_.give_back(rows.offset, rows.count);
   }
 
   int take(int i, int rows) {
     const int offset = pool_.take(rows);
-    owned_[i].push_back({offset, rows});
+    Rows& owned = owned_[i][owned_[i][0].count > 0 ? 1 : 0];
+    owned = {offset, rows};
     return offset;
   }
 
@@ -202,7 +208,7 @@ class Lowering {
         Step step;
         step.kernel = find_kernel(Operation::offset, dimension_, order_[root]);
         step.arguments[0] = registers_[root];
-        step.result = take(root, rows);
+        step.result = pool_.take(rows);
         step.order = static_cast<std::int16_t>(order_[root]);
         step.variables = static_cast<std::int16_t>(dimension_);
         steps_.push(step, {0.0});
@@ -240,7 +246,7 @@ class Lowering {
   std::vector<const Polynomial*> known_;
   std::vector<int> order_, last_use_;
   std::vector<Register> registers_;
-  std::vector<std::vector<std::pair<int, int>>> owned_;
+  std::vector<std::array<Rows, 2>> owned_;
   RowPool pool_;
   ConstantPool constants_;
 };
