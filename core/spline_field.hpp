@@ -17,7 +17,7 @@ namespace rfm {
 /// above it). Points farther than 10⁻⁹ of a side outside the grid give NaN.
 class SplineField final : public FieldSource {
  public:
-  /// Throws `InvalidArgument` on a degree outside 0 … 8, coefficients too many, too few, not finite.
+  /// Throws `InvalidArgument` on a degree outside 0 … 8, coefficients too many, few or infinite.
   SplineField(const Grid& grid, int degree, std::vector<double> coefficients);
 
   /// Number of coefficients that a grid and a degree ask for.
