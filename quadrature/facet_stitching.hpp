@@ -1,17 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/box.hpp"
+#include "quadrature/facet.hpp"
 
 namespace rfm {
-
-/// A triangle by the numbers of its vertices, and what it belongs to.
-struct Facet {
-  std::array<int, 3> vertices{};
-  int primitive = 0;
-};
 
 /// Closes the cracks between triangles whose sides follow the same curve from one common vertex to
 /// another through different vertices in between. The sides that have no counterpart form thin
