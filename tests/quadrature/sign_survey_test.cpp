@@ -7,16 +7,23 @@ using namespace rfm;
 namespace {
 
 // Of f(u, v) over [−1, 1]²; `f` returns value, ∂f/∂u and ∂f/∂v.
-template <class Function>
-auto surveyed(Function f, const Interval& extent = {-1, 1}) {
-  SignSurvey survey([extent](double) { return extent; },
-                    [f](double u, double v, double& slope) {
-                      slope = f(u, v)[2];
-                      return f(u, v)[0];
-                    },
-                    [f](double u, double v) { return f(u, v)[1]; }, 1e-12, 1e-9);
+// `extent(u)` is where it is defined.
+template <class Function, class Extent>
+auto surveyed(Function f, Extent extent) {
+  SignSurvey survey(
+      extent,
+      [f](double u, double v, double& slope) {
+        slope = f(u, v)[2];
+        return f(u, v)[0];
+      },
+      [f](double u, double v) { return f(u, v)[1]; }, 1e-12, 1e-9);
   survey.run({-1, 1});
   return survey;
+}
+
+template <class Function>
+auto surveyed(Function f) {
+  return surveyed(f, [](double) { return Interval(-1, 1); });
 }
 
 TEST(SignSurvey, ASaddleHasBothSigns) {
@@ -33,6 +40,28 @@ TEST(SignSurvey, ADoubleLineHasOneSign) {
   EXPECT_FALSE(survey.positive());
   EXPECT_TRUE(survey.negative());
   EXPECT_LT(survey.nearest(), 1e-12);
+}
+
+TEST(SignSurvey, WhatIsPositiveByRoundingAloneIsZero) {
+  const auto survey = surveyed([](double u, double v) {
+    const double w = u + 0.7 * v - 0.1;
+    return std::array{1e-13 - w * w, -2 * w, -1.4 * w};
+  });
+  EXPECT_FALSE(survey.positive());
+  EXPECT_TRUE(survey.negative());
+}
+
+TEST(SignSurvey, TheFunctionIsFollowedToWhereItEnds) {
+  // Defined for ±u < 0.37, between two of the sections; positive in the last 1e-5 before it ends.
+  for (const double sense : {1.0, -1.0}) {
+    const auto survey = surveyed(
+        [&](double u, double) {
+          return std::array{sense * u - 0.36999, sense, 0.0};
+        },
+        [&](double u) { return sense * u < 0.37 ? Interval(-1, 1) : Interval(1, -1); });
+    EXPECT_TRUE(survey.positive()) << sense;
+    EXPECT_TRUE(survey.negative()) << sense;
+  }
 }
 
 TEST(SignSurvey, AnIslandBetweenSectionsIsFoundByTheExtremaOfSections) {
@@ -59,7 +88,7 @@ TEST(SignSurvey, SectionsWithoutTheFunctionSayNothing) {
       [](double u, double v) {
         return std::array{u * v, v, u};
       },
-      Interval(1, -1));
+      [](double) { return Interval(1, -1); });
   EXPECT_FALSE(survey.positive());
   EXPECT_FALSE(survey.negative());
 }
