@@ -6,7 +6,7 @@
 
 #include "core/boundary_part.hpp"
 #include "core/error.hpp"
-#include "core/level_function.hpp"
+#include "core/quadric.hpp"
 #include "core/tape.hpp"
 #include "core/winding_sign.hpp"
 
@@ -18,48 +18,19 @@ struct Separator {
   std::string text;
 };
 
-Field line_through(const Point& point, const Point& normal) {
-  const double length = std::hypot(normal[0], normal[1]);
-  return (normal[0] * (x_coordinate() - point[0]) + normal[1] * (y_coordinate() - point[1])) *
-         (1 / length);
-}
-
-// Of one kind, for one piece.
-using Kind = std::vector<Separator> (*)(const ThinSet& piece, const std::string& name);
-
-std::vector<Separator> chords(const ThinSet& piece, const std::string& name) {
-  if (piece.dimension == 3) {  // planes through the edges of a triangle
-    std::vector<Separator> list;
-    if (piece.points.size() != 3) return list;
-    for (std::size_t i = 0; i < piece.ends.size(); ++i)
-      list.push_back(
-          {piece.ends[i], "the plane across edge " + std::to_string(i + 1) + " of " + name});
-    return list;
-  }
-  if (piece.points.size() != 2 || piece.bulge == 0) return {};
-  const Point &a = piece.points[0], &b = piece.points[1];
-  return {{line_through(a, {a[1] - b[1], b[0] - a[0]}), "the chord of " + name}};
-}
-
-std::vector<Separator> tangents(const ThinSet& piece, const std::string& name) {
+// What separates a piece from the rest of its curve or surface; nothing for those on lines and
+// planes, which need none.
+std::vector<Separator> separators_of(const ThinSet& piece, const std::string& name) {
+  const std::optional<Quadric> quadric = as_quadric(*piece.surface, piece.dimension);
+  if (quadric && quadric->is_affine()) return {};
   std::vector<Separator> list;
-  if (piece.dimension != 2 || piece.points.size() != 2 || piece.bulge == 0) return list;
-  const LevelFunction surface(*piece.surface, 2);
-  for (const Point& end : piece.points) {
-    Point normal;
-    surface.value_and_gradient(end, normal);
-    list.push_back({line_through(end, normal), "a tangent at an end of " + name});
-  }
+  for (const Field& end : piece.ends)
+    list.push_back({end, piece.points.size() == 2 ? "the chord of " + name
+                                                  : "what trims " + name + " at its ends"});
   return list;
 }
 
-std::vector<Separator> trims(const ThinSet& piece, const std::string& name) {
-  std::vector<Separator> list;
-  for (const Field& end : piece.ends) list.push_back({end, "what trims " + name + " at its ends"});
-  return list;
-}
-
-// Lines and circles are the same in several guises: the chord of an arc is what trims it.
+// Pieces may end on one line, or on the curve of another piece.
 bool is_new(const Separator& separator, const std::vector<Field>& functions,
             const std::vector<Separator>& others, int dimension) {
   const auto is_other = [&](const Field& function) {
@@ -119,16 +90,11 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
   SetDescription description(functions, membership, bounds);
   const std::optional<std::pair<Point, Point>> conflict = description.conflict();
   std::vector<Separator> candidates;
-  for (const Kind kind : {chords, tangents, trims}) {
-    if (!description.conflict()) break;
-    std::vector<Separator> more;
+  if (conflict) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (Separator& separator : kind(pieces[i], names[i]))
-        if (is_new(separator, functions, candidates, dimension) &&
-            is_new(separator, {}, more, dimension))
-          more.push_back(std::move(separator));
-    // Those of an earlier kind are taken away last.
-    candidates.insert(candidates.begin(), more.begin(), more.end());
+      for (Separator& separator : separators_of(pieces[i], names[i]))
+        if (is_new(separator, functions, candidates, dimension))
+          candidates.push_back(std::move(separator));
     std::vector<Field> all = functions;
     for (const Separator& separator : candidates) all.push_back(separator.function);
     description = SetDescription(all, membership, bounds);

@@ -29,11 +29,11 @@ struct DescribedSolid {
 
 /// The inverse problem of analytic geometry (V. Shapiro, Acta Numerica 16 (2007), §5.3): an
 /// expression of a solid whose boundary is the union of `pieces`. Where the primitives that the
-/// pieces induce do not describe it, separators are added, those of a kind at once: chords through
-/// the ends of curved pieces (of triangles the planes through their edges), then tangents at their
-/// ends, then what trims the pieces, which suffices by theorem 6. Then they are taken away one by
-/// one as long as the solid remains describable, so that none of those left is needless (another
-/// choice may be smaller).
+/// pieces induce do not describe it, separators are added: what divides each curved piece from the
+/// rest of its curve or surface, of an arc its chord, of other pieces what they are trimmed by
+/// (theorem 6). Lines and chords suffice for segments and arcs, and triangles need none
+/// (docs/design.md). Then they are taken away one by one as long as the solid remains describable,
+/// so that none of those left is needless (another choice may be smaller).
 ///
 /// Inside is what `membership` says, `bounds` as for `SetDescription`, whose resolution holds here
 /// too. Pieces must have a `surface`; `names` are those of the primitives, one for each. Throws

@@ -41,7 +41,8 @@ double turn(const Point& a, const Point& b, double bulge, const Point& at) {
   // the other side.
   const Circle circle = circle_of(a, b, bulge);
   const bool within = norm(difference(at, circle.center)) < circle.radius;
-  const bool right_of_chord = cross_z(difference(b, a), difference(at, a)) < 0;
+  // By the very number that jumps there: on the chord another one may be rounded to the other side.
+  const bool right_of_chord = chord < 0;
   if (bulge > 0) return within && right_of_chord ? chord + 2 * pi : chord;
   return within && !right_of_chord ? chord - 2 * pi : chord;
 }

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "core/curved_polygon.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/winding_sign.hpp"
@@ -131,6 +133,117 @@ TEST(Separators, SelectOnlyWhilePiecesBoundWithUnitSlope) {
     const PointJet jet = evaluate(primitive.function, on_pieces[k], 1, 2);
     EXPECT_NEAR(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 1, 1e-12);
   }
+}
+
+// A half disk with a half disk added and one taken away along its straight side, as curves that
+// are trimmed by formulas; in space the prism over it.
+std::vector<ThinSet> trimmed_wave(int dimension) {
+  const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
+  const auto circle_about = [&](double center, double radius) {
+    return (radius * radius - (x - center) * (x - center) - y * y) / (2 * radius);
+  };
+  std::vector<ThinSet> pieces{level_curve_set(circle_about(0.5, 0.5), y, dimension),
+                              level_curve_set(circle_about(1.5, 0.5), -y, dimension),
+                              level_curve_set(circle_about(1, 1), -y, dimension)};
+  if (dimension == 3)
+    for (const Field& end : {z, 1 - z}) pieces.push_back(level_curve_set(end, {}, 3));
+  return pieces;
+}
+
+Truth is_in_the_wave(const Point& at) {
+  const auto power = [&](double center, double radius) {
+    return radius * radius - (at[0] - center) * (at[0] - center) - at[1] * at[1];
+  };
+  const double bump = power(0.5, 0.5), bite = power(1.5, 0.5), bowl = power(1, 1);
+  const double inside = at[1] > 0 ? bump : std::min(bowl, -bite);
+  return inside > 1e-9 ? Truth::yes : inside < -1e-9 ? Truth::no : Truth::unknown;
+}
+
+TEST(Separators, OfPiecesThatAreNoArcsAreWhatTrimsThem) {
+  const Box bounds{2, {0, -1}, {2, 0.5}};
+  const DescribedSolid solid =
+      described_solid(trimmed_wave(2), {"bump", "bite", "bowl"}, is_in_the_wave, bounds);
+  ASSERT_TRUE(solid.conflict);
+  EXPECT_EQ(solid.candidates, 1);  // all are trimmed by one line
+  EXPECT_THAT(solid.separators, testing::ElementsAre("what trims bump at its ends"));
+  const RegionEvaluator region(solid.region);
+  int inside = 0;
+  for (double s = -0.21; s < 2.2; s += 0.037)
+    for (double t = -1.17; t < 0.7; t += 0.041) {
+      EXPECT_EQ(region.contains(Point{s, t}), is_in_the_wave({s, t}) == Truth::yes);
+      inside += region.contains(Point{s, t});
+    }
+  EXPECT_GT(inside, 500);
+}
+
+TEST(Separators, OfFacesInSpaceAreWhatTrimsThem) {
+  const Membership prism = [](const Point& at) {
+    const Truth level = at[2] > 1e-9 && at[2] < 1 - 1e-9    ? Truth::yes
+                        : at[2] < -1e-9 || at[2] > 1 + 1e-9 ? Truth::no
+                                                            : Truth::unknown;
+    return std::min(level, is_in_the_wave(at));
+  };
+  const Box bounds{3, {0, -1, 0}, {2, 0.5, 1}};
+  const DescribedSolid solid =
+      described_solid(trimmed_wave(3), {"bump", "bite", "bowl", "floor", "lid"}, prism, bounds);
+  ASSERT_TRUE(solid.conflict);
+  EXPECT_THAT(solid.separators, testing::ElementsAre("what trims bump at its ends"));
+  const RegionEvaluator region(solid.region);
+  int inside = 0;
+  for (double s = -0.21; s < 2.2; s += 0.087)
+    for (double t = -1.17; t < 0.7; t += 0.081)
+      for (double u = -0.31; u < 1.4; u += 0.193) {
+        EXPECT_EQ(region.contains(Point{s, t, u}), prism({s, t, u}) == Truth::yes);
+        inside += region.contains(Point{s, t, u});
+      }
+  EXPECT_GT(inside, 300);
+}
+
+// What docs/design.md proves: chords are enough for any closed curves of segments and arcs.
+TEST(Separators, OfRandomCurvesOfSegmentsAndArcsAreChords) {
+  std::mt19937 generator(5);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(generator);
+  };
+  int described = 0, separated = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    CurvedContour contour;
+    const int corners = 3 + trial % 3;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * pi * (k + uniform(-0.3, 0.3)) / corners, size = uniform(0.4, 1);
+      contour.points.push_back({size * std::cos(angle), size * std::sin(angle)});
+      contour.edges.push_back({k % 3 == 2 ? 0 : uniform(-1.4, 1.4)});
+    }
+    try {
+      curved_polygon({contour});  // refuses curves that cross themselves
+    } catch (const InvalidArgument&) {
+      continue;
+    }
+    std::vector<ThinSet> pieces;
+    for (int k = 0; k < corners; ++k) {
+      const Point &p = contour.points[k], &q = contour.points[(k + 1) % corners];
+      const double b = contour.edges[k].bulge;
+      if (b == 0) {
+        pieces.push_back(segment_set(p, q));
+        continue;
+      }
+      const double s = (1 - b * b) / (4 * b);
+      const Point center{0.5 * (p[0] + q[0]) - s * (q[1] - p[1]),
+                         0.5 * (p[1] + q[1]) + s * (q[0] - p[0])};
+      const double radius = std::hypot(p[0] - center[0], p[1] - center[1]);
+      const Point& first = b > 0 ? p : q;
+      const double from = std::atan2(first[1] - center[1], first[0] - center[0]);
+      pieces.push_back(arc_set(center, radius, from, from + 4 * std::atan(std::fabs(b))));
+    }
+    const DescribedSolid solid = described_solid(pieces, numbered(pieces.size()));
+    ++described;
+    separated += !solid.separators.empty();
+    for (const std::string& separator : solid.separators)
+      EXPECT_THAT(separator, testing::StartsWith("the chord of"));
+    expect_inside(solid, pieces, 1.4);
+  }
+  EXPECT_GT(described, 20);
+  EXPECT_GT(separated, 2);
 }
 
 TEST(Separators, OfATetrahedronAreNotNeeded) {

@@ -53,6 +53,27 @@ TEST(WindingSign, OfArcsCountsThePartBetweenArcAndChord) {
   }
 }
 
+// Where the angle of the chord jumps, the part between arc and chord takes over: at no point both
+// or neither of them, however rounding places it.
+TEST(WindingSign, OnTheChordOfAnArcIsThatOfItsNeighbourhood) {
+  std::mt19937 generator(3);
+  const auto uniform = [&] { return 0x1p-32 * generator(); };
+  for (int trial = 0; trial < 300; ++trial) {
+    const Point a{uniform(), uniform()}, b{2 + uniform(), uniform()};
+    const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+    const double radius = 0.5 * std::hypot(b[0] - a[0], b[1] - a[1]);
+    const double angle = std::atan2(b[1] - a[1], b[0] - a[0]);
+    // Semicircles on the same chord: a disk; and with a segment for one of them: half of it.
+    const WindingSign disk(
+        {arc_set(middle, radius, angle, angle + pi), arc_set(middle, radius, angle - pi, angle)});
+    for (int i = 0; i < 10; ++i) {
+      const double t = 0.01 + 0.98 * uniform();
+      EXPECT_TRUE(disk.is_inside({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}));
+      EXPECT_FALSE(disk.is_inside({a[0] - t * (b[0] - a[0]), a[1] - t * (b[1] - a[1])}));
+    }
+  }
+}
+
 TEST(WindingSign, SignedFunctionsAreNormalisedAndSmoothAcrossTheirPieces) {
   const Field omega = signed_function(half_disk_with_hole());
   for (const double side : {-1e-7, 1e-7}) {
