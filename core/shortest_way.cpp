@@ -143,8 +143,8 @@ Point ShortestWay::inwards(int side) const {
 
 // −λ g (1 − κ g) by its expansion about a point of the box; false where it is not twice
 // differentiable.
-bool ShortestWay::add_to(QuadraticModel& model, const Condition& condition,
-                         const Point& about) const {
+bool ShortestWay::add_to(QuadraticModel& model, const Condition& condition, const Point& about,
+                         bool stiffened) const {
   const RegionPart& part = *parts_[condition.side];
   const LevelFunction& level = part.region->level(condition.primitive);
   const Interval factor(condition.factor), multiplier(condition.multiplier);
@@ -155,7 +155,7 @@ bool ShortestWay::add_to(QuadraticModel& model, const Condition& condition,
   const Interval value = factor * level.value_bounds(box_of(about, dimension_));
   const Interval range = factor * everywhere.value;
   // g (1 − κ g) ≥ 0 wherever 0 ≤ g ≤ 1/κ.
-  double kappa = 0.5 * condition.stiffness / condition.multiplier;
+  double kappa = stiffened ? 0.5 * condition.stiffness / condition.multiplier : 0;
   if (range.high > 0) kappa = std::min(kappa, (Interval(1) / Interval(range.high)).low);
   model.value = model.value - multiplier * value * (Interval(1) - Interval(kappa) * value);
   const Interval here_factor = multiplier * (Interval(1) - Interval(2 * kappa) * value);
@@ -175,6 +175,12 @@ bool ShortestWay::add_to(QuadraticModel& model, const Condition& condition,
 }
 
 double ShortestWay::at_least() const {
+  const bool is_stiffened = std::ranges::any_of(
+      conditions_, [](const Condition& condition) { return condition.stiffness > 0; });
+  return std::max(at_least(false), is_stiffened ? at_least(true) : 0.0);
+}
+
+double ShortestWay::at_least(bool stiffened) const {
   const int n = dimension_;
   QuadraticModel model;
   model.size = 2 * n;
@@ -194,7 +200,8 @@ double ShortestWay::at_least() const {
     model.hessian[i][n + i] = model.hessian[n + i][i] = Interval(-2);
   }
   for (const Condition& condition : conditions_)
-    if (condition.multiplier > 0 && !add_to(model, condition, about[condition.side])) return 0;
+    if (condition.multiplier > 0 && !add_to(model, condition, about[condition.side], stiffened))
+      return 0;
   const double square = lower_bound(model);
   return square > 0 ? sqrt(Interval(square)).low : 0;
 }

@@ -69,8 +69,16 @@ TEST(RegionDistance, WithinAHoleIsThatOfTheNearestPlaceOfTheRim) {
   const Region ring = circle({0, 0}, 2) - circle({0, 0}, 1);
   expect_distance(ring, circle({0.2, 0}, 0.3), 0.5, 1e-9, 2000);
   expect_distance(ring, circle({0.2, 0.1}, 0.9), 0, 1e-9, 1000);  // they overlap
-  // Nearest along a whole circle.
-  expect_distance(ring, circle({0, 0}, 0.3), 0.7, 1e-4, 10000);
+}
+
+// Nearest along a whole circle, on a sphere, between cylinders: Lagrange's function is as flat as
+// the distance there, and quadratic, so that no boxes have to follow.
+TEST(RegionDistance, AlongCurvesOfNearestPointsIsProvedOfQuadricsAtOnce) {
+  expect_distance(circle({0, 0}, 2) - circle({0, 0}, 1), circle({0, 0}, 0.3), 0.7, 1e-10, 500);
+  expect_distance(sphere({0, 0, 0}, 2) - sphere({0, 0, 0}, 1), sphere({0, 0, 0}, 0.3), 0.7, 1e-10,
+                  2000);
+  const Region tube = cylinder({0, 0, 0}, {0, 0, 1}, 2, 1) - cylinder({0, 0, 0}, {0, 0, 1}, 1, 3);
+  expect_distance(tube, cylinder({0, 0, 0}, {0, 0, 1}, 0.3, 1), 0.7, 1e-10, 5000);
 }
 
 TEST(RegionDistance, OfAnLIsThatOfItsFacesAndOfItsTips) {
