@@ -6,6 +6,7 @@
 
 #include "core/diagnosis.hpp"
 #include "core/error.hpp"
+#include "core/field_maximum.hpp"
 #include "quadrature/integrate.hpp"
 #include "solvers/stationary_point.hpp"
 
@@ -161,6 +162,11 @@ Extreme maximum_over_volume(const Field& f, const RegionEvaluator& region, const
   if (!std::isfinite(best.value))
     throw ComputationError("a probe over a part of the domain has no points");
   best = Improvement(f, region, rule.grid(), {}, best).run({});
+  if (is_geometric(f)) {
+    const LevelFunction function(f, rule.dimension());
+    const FieldMaximum found = field_maximum(function, region, rule.grid().box(), best.at);
+    keep_larger(best, {found.value, found.at});
+  }
   keep_larger(best, maximum_over_boundary(f, region, rule, {}));
   return best;
 }

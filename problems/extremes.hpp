@@ -18,7 +18,9 @@ struct Extreme {
 /// (solvers/stationary_point.hpp) inside, on every piece of the boundary near it, and where pieces
 /// meet. What comes out is a value of the field at a point of the region; it is the maximum, to
 /// rounding, where the field is twice differentiable and the points of the rule are close enough to
-/// see which maximum is the largest. Throw `ComputationError` where the rule has no points.
+/// see which maximum is the largest. Inside, a field without a solution in it, as
+/// a distance, which has kinks, is searched by branch and bound as well (core/field_maximum.hpp),
+/// which needs neither. Throw `ComputationError` where the rule has no points.
 Extreme maximum_over_volume(const Field& f, const RegionEvaluator& region, const DomainRule& rule);
 
 /// The largest value over pieces of the boundary, where `where` is ≥ 0.
