@@ -37,7 +37,8 @@ std::vector<BooleanExpression> conjuncts(const BooleanExpression& expression);
 /// larger convex angles u/ω is unbounded with a product, and an R₀-conjunction is better; at
 /// reentrant corners a disjunction is needed, and what stands below it is R₀ throughout.
 /// `automatic` decides pair by pair of conjuncts, by branch and bound over `bounds` (the bounding
-/// box of the region); conjuncts that must not multiply are gathered in one R₀-conjunction.
+/// box of the region); conjuncts that must not multiply are gathered in one R₀-conjunction. Of more
+/// than six factors those whose boundaries do not meet are gathered, too.
 /// Conjuncts whose zero set does not meet the closed region are left out.
 ///
 /// Products use the primitives' `level` (polynomials where there are any), R-functions their
@@ -52,5 +53,11 @@ Weight weight(const RegionEvaluator& region, const Box& bounds, const WeightOpti
 /// R₀-function that vanishes on the pieces of the boundary that `expression` names.
 Weight weight(const BooleanExpression& expression, const RegionEvaluator& region, const Box& bounds,
               const WeightOptions& options = {});
+
+/// The R₀-functions, normalised, of the groups of conjuncts that the weight of `expression` is the
+/// product of. (Of a convex polygon with hundreds of edges a product of the functions of all would
+/// vanish to rounding all over the region.)
+std::vector<Weight> normalized_factors(const BooleanExpression& expression,
+                                       const RegionEvaluator& region, const Box& bounds);
 
 }  // namespace rfm

@@ -167,11 +167,8 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
   const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, bounding, whole);
-  for (const BooleanExpression& conjunct : conjuncts(prescribed.expression))
-    if (!conjunct.is_constant(true)) {
-      const Weight factor = weight(conjunct, region, bounds, CombineRule(RAlpha{0}));
-      multiply(factor.function, factor.formula);
-    }
+  for (const Weight& factor : normalized_factors(prescribed.expression, region, bounds))
+    multiply(factor.function, factor.formula);
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && prescribed.covered.contains(piece.primitive)) continue;
     const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);

@@ -53,6 +53,23 @@ bool is_defined(const Field& field, const DomainRule& rule) {
   }
 }
 
+// Whether most of many pieces with values are shorter (in space smaller) than a cell, as of a
+// polygon that stands for a curve: an R-function of many that are nearly parallel levels off as far
+// from them as they are long, so that u/ω is rough within a cell.
+bool pieces_are_short(const std::vector<PieceCondition>& conditions, const DomainRule& rule) {
+  constexpr int few = 6;
+  double cell = 1;
+  for (int axis = 1; axis < rule.dimension(); ++axis) cell *= rule.grid().spacing(axis);
+  int values = 0, short_ones = 0;
+  for (const PieceCondition& piece : conditions) {
+    if (piece.kind != Condition::Kind::value) continue;
+    if (piece.clamped) return false;  // by structure only
+    ++values;
+    short_ones += rule.boundary_measure(piece.primitive) < cell;
+  }
+  return values > few && 2 * short_ones > values;
+}
+
 // Whether `inner` lies in `outer`, up to the accuracy of bounding boxes.
 bool contains(const Box& outer, const Box& inner) {
   const double tolerance = 1e-6 * inner.longest_side();
@@ -126,12 +143,23 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
                         (is_regular(condition.data[0], region_, bounds_) &&
                          is_defined(condition.data[0], probe)));
     }
+    const bool are_short = !has_global_functions() &&
+                           std::holds_alternative<AutomaticRule>(problem_.combine.rule) &&
+                           pieces_are_short(own, probe);
+    if (are_short)
+      for (PieceCondition& condition : own)
+        if (condition.enforcement == Condition::Enforcement::automatic)
+          condition.enforcement = Condition::Enforcement::weak;
     try {
       plans_.push_back(plan_dirichlet(own, region_, bounds_, problem_.combine, regular, form));
     } catch (const InvalidArgument& error) {  // a cap that is not positive, corners inside
       refuse(error.what(), geometry_place(problem_, "combine"));
     }
-    const DirichletPlan& plan = plans_.back();
+    DirichletPlan& plan = plans_.back();
+    if (are_short)
+      plan.remarks.emplace_back(
+          "values are enforced weakly: most pieces are shorter than a cell, where a structure is "
+          "rough");
     for (const PieceCondition& piece : plan.weakly)
       if (piece.clamped)
         refuse(fmt::format("'{}' can be clamped by structure only: whole pieces whose corners are "

@@ -33,6 +33,28 @@ void pin_one(LinearSystem& system) {
   system.right_hand_side[pinned] = 0;
 }
 
+// What a structure prescribes holds to rounding, unless functions of pieces or weights of data
+// vanish where they must not.
+void require_values(const std::vector<DirichletPlan>& plans, const ScalarSolution& solution) {
+  double largest = 0;
+  for (const DirichletPlan& plan : plans) {
+    if (!plan.weakly.empty()) return;  // missed by as much as the grid is too coarse
+    for (const PieceCondition& piece : plan.by_structure) {
+      const Field& datum = piece.data[0];
+      largest = std::max(
+          largest,
+          datum.is_constant()
+              ? std::fabs(datum.constant())
+              : maximum(datum, solution.rule, {Contribution::Place::boundary, {piece.primitive}}));
+    }
+  }
+  if (largest > 0 && !(solution.boundary_residual <= 1e-2 * largest))
+    throw ComputationError(fmt::format(
+        "values on the boundary, of up to {:.3g}, are missed by up to {:.3g} by the structure: the "
+        "functions of its pieces are too different in size; enforce them weakly (enforce: weak)",
+        largest, solution.boundary_residual));
+}
+
 PolynomialFamily polynomial_family(const Discretization& discretization) {
   using Kind = PolynomialFamily::Kind;
   PolynomialFamily family{Kind::legendre, discretization.degree, discretization.total_degree};
@@ -179,6 +201,7 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
     for (const Field& component : conductive_flux(coefficients_, u, problem_.dimension))
       solution.results.flux.push_back(with_solution(component, {&u, 1}));
   solution.boundary_residual = boundary_residual(solution);
+  require_values(plans_, solution);
   return solution;
 }
 

@@ -33,6 +33,7 @@ RUNS = [
     ("same, finer", "balls", FINE_BALLS, 3e-6),
     ("turned cube", "rotated_cube", {}, 3e-6),
     ("turned rod", "rotated_cylinder", {}, 3e-6),
+    ("polygons of 1,000 edges", "thousand_edges", {}, 5e-5),
 ]
 
 

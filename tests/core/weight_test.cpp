@@ -8,6 +8,7 @@
 #include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/polygon.hpp"
 #include "core/primitives.hpp"
 
 namespace rfm {
@@ -59,6 +60,62 @@ TEST(Weight, OfDisjointHolesIsAProduct) {
                        circle({0.8, 0}, 0.5).named("b");
   EXPECT_EQ(weight_of(plate).formula, "omega(rim) * -omega(a) * -omega(b)");
   expect_weight(plate);
+}
+
+// Of many factors those that do not meet are joined: a product would vary by a power of their
+// number from cell to cell.
+TEST(Weight, OfManyDisjointHolesIsAnRFunction) {
+  const auto plate = [](int holes) {
+    Region region = circle({0, 0}, 1).named("rim");
+    for (int k = 0; k < holes; ++k) {
+      const double t = 2 * std::numbers::pi * k / holes;
+      region = region -
+               circle({0.6 * std::cos(t), 0.6 * std::sin(t)}, 0.1).named("h" + std::to_string(k));
+    }
+    return region;
+  };
+  EXPECT_EQ(weight_of(plate(5)).parts.size(), 7u);  // the product and its six factors
+  const Weight joined = weight_of(plate(6));
+  EXPECT_EQ(joined.parts.size(), 1u);
+  EXPECT_THAT(joined.formula, testing::StartsWith("r0_and("));
+  expect_weight(plate(6));
+}
+
+// The tips of a star are acute, and each meets two others: two or three factors without neighbours
+// hold them all.
+TEST(Weight, OfAStarOfManyTipsIsAProductOfFew) {
+  for (const int tips : {12, 13, 60}) {
+    std::vector<Point> points;
+    for (int k = 0; k < 2 * tips; ++k) {
+      const double size = k % 2 == 0 ? 1 : 0.7, t = std::numbers::pi * k / tips;
+      points.push_back({size * std::cos(t), size * std::sin(t)});
+    }
+    const Region star = rfm::polygon(points);
+    const Weight weight = weight_of(star);
+    EXPECT_GE(weight.parts.size(), 3u);  // the product and two factors
+    EXPECT_LE(weight.parts.size(), 4u);
+    expect_weight(star);
+    // Not the power of a distance that a product of all tips is (1e-6, 1e-6 and 1e-30).
+    EXPECT_GT(value_at(weight.function, {0, 0}), 1e-5);
+  }
+}
+
+TEST(NormalizedFactors, OfAConvexPolygonOfManySidesAreOneFunction) {
+  const RegionEvaluator region(polygon(500));
+  const std::vector<Weight> factors =
+      normalized_factors(region.region().expression(), region, bounding_box(region));
+  ASSERT_EQ(factors.size(), 1u);
+  EXPECT_GT(value_at(factors[0].function, {0, 0}), 1e-3);
+  const PointJet jet =
+      evaluate(factors[0].function, {std::cos(0.3), std::sin(0.3)}, 1, 2);  // middle of a side
+  EXPECT_NEAR(jet.value(), 0, 1e-14);
+  EXPECT_NEAR(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 1, 1e-9);
+}
+
+TEST(NormalizedFactors, OfASquareAreItsSides) {
+  const RegionEvaluator square(box({0, 0}, {1, 1}));
+  EXPECT_EQ(normalized_factors(square.region().expression(), square, {2, {0, 0}, {1, 1}}).size(),
+            4u);
 }
 
 TEST(Weight, AtAcuteAnglesIsAProduct) {
