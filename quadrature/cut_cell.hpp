@@ -12,7 +12,7 @@ struct CellRuleOptions {
   /// Gauss points per one-dimensional piece.
   int points = 6;
   /// Whether volume and boundary are also found by the rule of one point fewer (one more, if there
-  /// is one): a fifth of the cost again.
+  /// is one): a fifth to a half of the cost again.
   bool compare_orders = true;
   /// Gauss points per axis of boxes within the cell that are inside: nothing is bent there, and
   /// what serves cells inside serves smaller boxes.
