@@ -8,6 +8,7 @@
 #include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "core/intersection.hpp"
+#include "core/point_algebra.hpp"
 #include "core/surroundings.hpp"
 
 namespace rfm {
@@ -84,7 +85,15 @@ class CellSampler {
     };
     for (const int k : open) {
       const auto zero = nearest_zero(levels_[k], box.center());
-      if (is_near(zero)) add(*zero);
+      if (!is_near(zero)) continue;
+      add(*zero);
+      // What lies on both sides: cells smaller than the box, as a small hole.
+      Point normal;
+      levels_[k].value_and_gradient(*zero, normal);
+      const double slope = norm(normal);
+      if (!(slope > 0)) continue;
+      for (const double side : {1e-3, -1e-3, 1e-5, -1e-5})
+        add(along(*zero, side * scale_ / slope, normal));
     }
     const auto consider = [&](const std::optional<Point>& zero) {
       if (!is_near(zero)) return;
@@ -131,8 +140,11 @@ class CellSampler {
 }  // namespace
 
 Membership solid_membership(const RegionEvaluator& region) {
-  return [&region](const Point& point) {
-    const double scale = 1 + std::hypot(point[0], point[1], point[2]);
+  // Of the size of the region, in any unit of length.
+  const std::optional<Box>& known = region.region().enclosure();
+  const double size = known && known->longest_side() > 0 ? known->longest_side() : 0.0;
+  return [&region, size](const Point& point) {
+    const double scale = size > 0 ? size : 1 + std::hypot(point[0], point[1], point[2]);
     const Surroundings around = surroundings(region, point, 1e-10 * scale, 1e-6 * scale);
     return around.any_inside == around.any_outside ? Truth::unknown
            : around.any_inside                     ? Truth::yes

@@ -20,10 +20,10 @@ Membership solid_membership(const RegionEvaluator& region);
 /// analytic geometry by sampling (V. Shapiro, Acta Numerica 16 (2007), §5.3).
 ///
 /// One point is kept of every combination of signs that is found: in boxes halved towards the zero
-/// sets of the primitives (2⁻⁷ of the longest side of twice the bounds, 2⁻⁵ in space), around their
-/// common zeros, and far away. Points on zero sets and common zeros are kept as well, with zero for
-/// a sign: closed products of half-spaces hold them too. Cells smaller than that which no common
-/// zero touches may be missed.
+/// sets of the primitives (2⁻⁷ of the longest side of twice the bounds, 2⁻⁵ in space), on both
+/// sides of zeros near those boxes, around common zeros, and far away. Points on zero sets and
+/// common zeros are kept as well, with zero for a sign: closed products of half-spaces hold them.
+/// Cells that no such point meets may be missed; `same_solid` (core/same_solid.hpp) finds out.
 class SetDescription {
  public:
   struct Sample {

@@ -49,16 +49,5 @@ TEST(RegularForm, IsNotLookedForWithoutNeedNorFoundWhereThereIsNone) {
   EXPECT_FALSE(form_of(disks));
 }
 
-TEST(SameSolid, TellsSetsApart) {
-  const Region pair = circle({0, 0}, 1).named("a") | circle({1.5, 0}, 0.5).named("b");
-  const RegionEvaluator evaluator(pair);
-  const Box bounds = bounding_box(evaluator);
-  const auto a = BooleanExpression::variable(0), b = BooleanExpression::variable(1);
-  EXPECT_TRUE(same_solid(a | b, b | (a & b) | a, evaluator, bounds));
-  EXPECT_TRUE(same_solid(a & b, a & b & b, evaluator, bounds));
-  EXPECT_FALSE(same_solid(a | b, a, evaluator, bounds));
-  EXPECT_FALSE(same_solid(a | b, a ^ !b, evaluator, bounds));
-}
-
 }  // namespace
 }  // namespace rfm
