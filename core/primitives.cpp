@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/sector_sides.hpp"
 #include "core/segment_distance.hpp"
 
 namespace rfm {
@@ -123,7 +124,8 @@ Region sector(const Point& center, double radius, double from, double to, double
   require_positive(radius - inner_radius, "the radius of a sector minus the inner one");
   const Region left = half_plane(center, {-std::sin(from), std::cos(from)}).named("from");
   const Region right = half_plane(center, {std::sin(to), -std::cos(to)}).named("to");
-  const Region wedge = to - from <= std::numbers::pi ? left & right : left | right;
+  const std::optional<Region> half = straight_side(center, from, to);
+  const Region wedge = half ? *half : to - from < std::numbers::pi ? left & right : left | right;
   // The arc is farthest at its ends or along an axis, and the rest at the inner radius.
   const auto at = [&](double r, double angle) {
     return Point{center[0] + r * std::cos(angle), center[1] + r * std::sin(angle)};

@@ -20,9 +20,9 @@ Region ellipse(const Point& center, const Point& radii, double angle = 0);
 /// The band of `width` about the line through `point` across `normal`: the conjunction of two
 /// half-planes `low` and `high` (normal points from low to high), each an exact signed distance.
 Region strip(const Point& point, const Point& normal, double width);
-/// The part of a disk between two angles, counter-clockwise from `from` to `to` in radians, less
-/// than a full turn apart: sides `arc`, `from`, `to`, and with an inner radius `inner`. Straight
-/// sides are exact signed distances; beyond 180° they are joined by a disjunction.
+/// The part of a disk between two angles, from `from` to `to` in radians, less than a full turn
+/// apart: sides `arc`, `from`, `to`, and with an inner radius `inner`. Straight sides are exact
+/// signed distances; beyond 180° a disjunction, at 180° one side `from_line` (`sector_sides`).
 Region sector(const Point& center, double radius, double from, double to, double inner_radius = 0);
 /// The box min ≤ x ≤ max in 1 to 3 dimensions, a conjunction of its sides `left right bottom top
 /// back front` (x−, x+, y−, y+, z−, z+), each an exact signed distance.

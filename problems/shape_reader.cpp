@@ -8,6 +8,7 @@
 #include "core/nearest_name.hpp"
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
+#include "core/sector_sides.hpp"
 #include "problems/exact_shapes.hpp"
 #include "problems/outline_reader.hpp"
 #include "problems/reserved_names.hpp"
@@ -178,9 +179,12 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     else if (!(to > from && to < from + 360))
       values_.mistakes.add("a sector goes from one angle to a larger one, by less than 360 degrees",
                            values_.find(node, "to")->place);
-    else
-      return sector(point("center", {0, 0}), radius, from * std::numbers::pi / 180,
-                    to * std::numbers::pi / 180, inner);
+    else {
+      constexpr double degree = std::numbers::pi / 180;
+      const Point center = point("center", {0, 0});
+      add_sides(sector_sides(center, from * degree, to * degree));
+      return sector(center, radius, from * degree, to * degree, inner);
+    }
     return stand_in_shape(2);
   }
   if (kind == "half_plane") return half_plane(point("point", {0, 0}), direction(node, "normal"));
