@@ -58,8 +58,14 @@ CleanContour cleaned(const Contour& contour) {
     throw InvalidArgument("a polygon needs at least three different points, got " +
                           std::to_string(result.points.size()));
   const double area = twice_area(result.points);
-  if (area == 0) throw InvalidArgument("the polygon has no area");
-  if (area > 0) return result;
+  // Points that are not on a line and have no area cross themselves, as a bow tie does: whoever
+  // asks for crossings names the edges.
+  const auto on_a_line = [&](const Point& point) {
+    return orientation(result.points[0], result.points[1], point) == 0;
+  };
+  if (area == 0 && std::ranges::all_of(result.points, on_a_line))
+    throw InvalidArgument("the polygon has no area");
+  if (area >= 0) return result;
   // Backwards, the edge after point i is the one that led to it.
   result.reversed = true;
   std::ranges::reverse(result.points);

@@ -5,6 +5,7 @@
 
 #include "core/contour.hpp"
 #include "core/error.hpp"
+#include "core/orientation.hpp"
 
 namespace rfm {
 namespace {
@@ -65,8 +66,14 @@ std::vector<CurvePiece> cleaned(const CurvedContour& contour, std::vector<Curved
   }
   if (pieces.size() < 2)
     throw InvalidArgument("a curved polygon needs at least two different points");
-  const double area = twice_area(outline_of(pieces));
-  if (area == 0) throw InvalidArgument("the curved polygon has no area");
+  const std::vector<Point> outline = outline_of(pieces);
+  const auto on_a_line = [&](const Point& p) {
+    return orientation(outline[0], outline[1], p) == 0;
+  };
+  const double area = twice_area(outline);
+  // As of a plain polygon, what has no area and is no line crosses itself, which is found later.
+  if (area == 0 && std::ranges::all_of(outline, on_a_line))
+    throw InvalidArgument("the curved polygon has no area");
   if (area < 0) {
     std::ranges::reverse(pieces);
     for (CurvePiece& piece : pieces) piece = piece.reversed();

@@ -139,6 +139,9 @@ void expect_refused(const std::vector<Contour>& contours, const std::string& rea
 
 TEST(Polygons, ThatAreNotSimpleAreRefused) {
   expect_refused({Contour{{{0, 0}, {2, 2}, {2, 0}, {0, 3}}}}, "edge1 and edge3 cross or touch");
+  // Bow ties without area: the triangles on both sides of the crossing are equally large.
+  expect_refused({Contour{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}, "edge1 and edge3 cross or touch");
+  expect_refused({Contour{{{0, 0}, {2, 0}, {0, 1}, {2, 1}}}}, "edge2 and edge4 cross or touch");
   expect_refused({Contour{{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}},
                  "edge1 and edge4 cross or touch");
   expect_refused({Contour{{{0, 0}, {2, 0}, {1, 0}, {1, 1}}}}, "edge1 and edge2 cross or touch");
