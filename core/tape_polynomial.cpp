@@ -169,10 +169,14 @@ std::optional<Polynomial> sum_of(Polynomial a, Polynomial b) {
   const bool b_is_term = b.sum.count == 1 && b.sum.first == 0;
   if (!b_is_term && b.sum.count > 0) std::swap(a, b);
   if (!meet(a, b, may_move_in_sum)) return {};
+  const bool was_affine = a.is_affine() && b.is_affine();
   a.summable = a.summable && b.summable && join(a.sum, b.sum);
   a.constant += b.constant;
   for (int i = 0; i < 3; ++i) a.linear[i] += b.linear[i];
   for (int i = 0; i < 6; ++i) a.square[i] += b.square[i];
+  // Constants of quadratic functions do not count, since these are no factors of others; that of a
+  // linear one is a slope of its products, and here only a difference of large numbers.
+  if (a.is_affine() && !was_affine) return {};
   return a;
 }
 
