@@ -55,7 +55,8 @@ std::vector<double> not_a_knot_slopes(const std::vector<double>& x, const std::v
   return slopes;
 }
 
-// Bounds of c0 + s (c1 + s (c2 + s c3)) for s in [low, high]: ends and stationary points.
+// Bounds of c0 + s (c1 + s (c2 + s c3)) for s in [low, high]: ends and stationary points. These are
+// found with terms of order 1, so that no square overflows or is lost.
 Interval cubic_range(double c0, double c1, double c2, double c3, double low, double high) {
   double least = INFINITY, most = -INFINITY;
   const auto visit = [&](double s) {
@@ -65,17 +66,20 @@ Interval cubic_range(double c0, double c1, double c2, double c3, double low, dou
   };
   visit(low);
   visit(high);
-  const double discriminant = c2 * c2 - 3 * c1 * c3;
-  if (discriminant >= 0) {
-    const double q = -(c2 + std::copysign(std::sqrt(discriminant), c2));
-    for (const double s : {q / (3 * c3), c1 / q})
-      if (s > low && s < high) visit(s);
-  }
   const double size = std::max(std::fabs(low), std::fabs(high));
+  const double a1 = size * c1, a2 = size * (size * c2), a3 = size * (size * (size * c3));
+  const double largest = std::max({std::fabs(a1), std::fabs(a2), std::fabs(a3)});
+  if (largest > 0) {
+    const double b1 = a1 / largest, b2 = a2 / largest, b3 = a3 / largest;
+    const double discriminant = b2 * b2 - 3 * b1 * b3;
+    const double q = -(b2 + std::copysign(std::sqrt(std::max(discriminant, 0.0)), b2));
+    for (const double t : {q / (3 * b3), b1 / q})
+      if (t * size > low && t * size < high) visit(t * size);
+  }
   const double margin =
       1e-14 *
       (std::fabs(c0) + size * (std::fabs(c1) + size * (std::fabs(c2) + size * std::fabs(c3))));
-  return {least - margin, most + margin};
+  return {least - margin - 0x1p-1070, most + margin + 0x1p-1070};
 }
 
 }  // namespace
@@ -100,6 +104,11 @@ Table::Table(std::vector<double> abscissae, const std::vector<double>& values, i
     const double secant = (values[i + 1] - values[i]) / h;
     pieces_.push_back({values[i], slopes[i], (3 * secant - 2 * slopes[i] - slopes[i + 1]) / h,
                        (slopes[i] + slopes[i + 1] - 2 * secant) / (h * h)});
+    const Piece& piece = pieces_.back();
+    for (const double coefficient : {piece.slope, piece.bend, piece.twist})
+      if (!std::isfinite(coefficient))
+        throw InvalidArgument("a table has values so large, or abscissae so close, at point " +
+                              std::to_string(i + 1) + " that its slopes overflow");
   }
 }
 

@@ -133,6 +133,16 @@ TEST(Table, StaysWithinItsBounds) {
   EXPECT_EQ(f.bounds({1, {1.5}, {2.5}}).value.high, INFINITY);
 }
 
+TEST(Table, StaysWithinItsBoundsWhateverTheSizeOfItsValues) {
+  for (const double size : {1e-310, 1e-170, 1.0, 1e160, 1e300}) {
+    const Table f({0, 1, 2}, {0, 3 * size, 2 * size});
+    const Interval bounds = f.bounds({1, {1}, {1.5}}).value;
+    for (int i = 0; i <= 100; ++i) EXPECT_TRUE(bounds.contains(f.taylor(1 + 0.005 * i)[0])) << size;
+    EXPECT_LT(bounds.high, 3.2 * size);
+  }
+  EXPECT_THROW(Table({-1, 0, 1}, {-1e308, 1e308, -1e308}), InvalidArgument);
+}
+
 TEST(Table, BreaksWhereItsThirdDerivativeJumps) {
   const Table f(uneven, {0, 1, 0, 1, 0, 1, 0, 1});
   EXPECT_THAT(f.breakpoints(0), testing::ElementsAre(-0.1, 0.2, 0.9, 1.0));
