@@ -56,7 +56,10 @@ void define_r_functions(ExpressionScope& scope) {
   define(scope, "r0m", 1, [](Arguments a) { return RAlphaM{0, order(a[0])}; });
   define(scope, "ralpham", 2, [](Arguments a) { return RAlphaM{alpha(a[0]), order(a[1])}; });
   define(scope, "rcm", 1, [](Arguments a) { return RCm{order(a[0])}; });
-  define(scope, "ralpha_field", 1, [](Arguments a) { return RAlphaField{function(a[0])}; });
+  define(scope, "ralpha_field", 1, [](Arguments a) {
+    if (function(a[0]).is_constant()) alpha(a[0]);
+    return RAlphaField{function(a[0])};
+  });
 }
 
 }  // namespace rfm

@@ -97,6 +97,7 @@ TEST(RSystemFunctions, RefuseParametersOutOfRangeAtTheirPlace) {
   EXPECT_EQ(mistake("r0m_and(x, y, 0)"), "14: the order m must be a whole number from 1 to 16");
   EXPECT_EQ(mistake("rcm_or(x, y, x)"), "13: the order m must be a whole number from 1 to 16");
   EXPECT_THAT(mistake("ralpham_and(x, y, -1, 2)"), testing::StartsWith("18: alpha must be "));
+  EXPECT_THAT(mistake("ralpha_field_and(x, y, 2)"), testing::StartsWith("23: alpha must be "));
   EXPECT_EQ(mistake("rcm_and(x, y)"), "0: rcm_and takes 3 arguments, got 2");
 }
 
