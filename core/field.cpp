@@ -206,6 +206,7 @@ Field partial(const Field& f, int axis) {
   const Field::Node& node = f.node();
   switch (node.operation) {
     case Operation::constant:
+      return std::isnan(node.number) ? f : Field(0.0);
     case Operation::parameter:
       return 0.0;
     case Operation::coordinate:

@@ -210,7 +210,7 @@ GraphDerivative::Known GraphDerivative::of_node(const Field& f) const {
   for (const Field& argument : arguments) depends = depends || !zero(known(argument).derivative);
   switch (node.operation) {
     case Operation::constant:
-      return {f, 0.0, has_value};
+      return {f, std::isnan(node.number) ? f : Field(0.0), has_value};
     case Operation::coordinate:
     case Operation::parameter: {
       const Field::Node& variable = variable_.node();

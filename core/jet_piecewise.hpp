@@ -65,7 +65,9 @@ Jet<T, N, K> sign(const Jet<T, N, K>& a) {
 
 template <class T, int N, int K>
 Jet<T, N, K> abs(const Jet<T, N, K>& a) {
-  return select(less(a.c[0], T(0.0)), -a, a);
+  Jet<T, N, K> result = select(less(a.c[0], T(0.0)), -a, a);
+  if constexpr (is_plain<T>) result.c[0] = result.c[0] + T(0.0);  // |−0| is 0
+  return result;
 }
 
 template <class T, int N, int K>

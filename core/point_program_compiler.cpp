@@ -75,6 +75,7 @@ class PointProgram::Compiler {
     const int a = operand(0), b = operand(1);
     switch (instruction.operation) {
       case Operation::constant:
+        if (std::isnan(instruction.number)) return -1;  // slopes of it are not numbers either
         return add(Code::constant, 0, 0, instruction.number);
       case Operation::coordinate:
         if (instruction.index >= dimension_) return -1;

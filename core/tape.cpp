@@ -203,6 +203,10 @@ void Tape::evaluate(const PointBlock& points, Workspace& workspace) const {
       evaluate_composed_source(source, step, memory, padded);
       continue;
     }
+    for (int axis = 0; axis < source.source->valid().dimension; ++axis)
+      if (!points.coordinates[axis])
+        throw InvalidArgument("the points of a block have no coordinate number " +
+                              std::to_string(axis) + ", which a sampled field needs");
     evaluate_source(*source.source, variables_, points.coordinates, points.count, step.order, jets,
                     block_size);
     for (int k = 0; k < jet_size(dimension(), step.order); ++k) pad(jets + k * block_size);

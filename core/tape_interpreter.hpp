@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/operation_rules.hpp"
@@ -19,6 +20,16 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
   const int last = program.root_instructions[root];
   if (static_cast<int>(results.size()) <= last) results.resize(last + 1);
   const Number none;
+  // A number that is none has no derivatives either. Others need no further coefficients, unless
+  // they lie outside the domain of what is made of them.
+  const auto undefined = [&](double number) {
+    Number jet = Leaves<N>::template zero<Number>(program);
+    for (T& coefficient : jet.c) coefficient = T(number);
+    return jet;
+  };
+  const auto constant_jet = [&](double number) {
+    return std::isnan(number) ? undefined(number) : Number(number);
+  };
   for (int i = 0; i <= last; ++i) {
     const Instruction& instruction = program.instructions[i];
     const auto operand = [&](int k) -> const Number& {
@@ -26,7 +37,7 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
     };
     switch (instruction.operation) {
       case Operation::constant:
-        results[i] = Number(instruction.number);
+        results[i] = constant_jet(instruction.number);
         break;
       case Operation::coordinate:
       case Operation::parameter:
@@ -50,6 +61,9 @@ Jet<T, N, K> interpret(const Tape::Program& program, int root, const Leaf& leaf)
       default:
         results[i] = apply_rule(instruction.operation, operand(0), operand(1), operand(2),
                                 instruction.number);
+        if constexpr (N == run_time && std::is_same_v<T, double>)
+          if (std::isnan(results[i].c[0]) && results[i].size == 1)
+            results[i] = undefined(results[i].c[0]);
     }
   }
   const Number result = results[last];

@@ -71,7 +71,7 @@ struct Leaves {
     if (leaf.operation == Operation::parameter) {
       if (index >= others.parameters.size())
         throw InvalidArgument(missing_parameter(program, leaf.index, others.parameters.size()));
-      return Number(others.parameters[index]);
+      return coordinate<Number>(program, -1, others.parameters[index]);
     }
     if (index > 3 && index - 4 >= others.further.size())
       throw InvalidArgument("the field needs coordinate number " + std::to_string(index) +

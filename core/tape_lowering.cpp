@@ -2,6 +2,7 @@
 // form, where every coefficient lies, and which registers share rows.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/tape_memory.hpp"
@@ -157,6 +158,10 @@ class Lowering {
     result.gradient = zeros(dimension_);
     if (leaf.operation == Operation::constant) {
       result.value = constant_part({leaf.number});
+      if (std::isnan(leaf.number)) {  // nor are its derivatives numbers
+        result.gradient = constant_part(std::vector<double>(dimension_, leaf.number));
+        result.rest = constant_part(std::vector<double>(std::max(rest, 1), leaf.number));
+      }
     } else if (leaf.variable >= 0) {
       std::vector<double> unit(dimension_);
       unit[leaf.variable] = 1;

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <thread>
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/multi_index.hpp"
+#include "core/table.hpp"
 
 namespace rfm {
 namespace {
@@ -181,6 +183,44 @@ TEST(Tape, BoxesThatEndBeforeTheyBeginHaveNoBounds) {
     EXPECT_THROW(tape.value_bounds(box), InvalidArgument);
   }
   EXPECT_NO_THROW(tape.bounds({1, {1, 0, 0}, {1, 0, 0}}));
+}
+
+// Also where it is undefined whatever the point is: by a parameter or a number.
+TEST(Tape, WhatIsUndefinedHasNoDerivativesAtAnyOrder) {
+  const double below_zero[] = {-1};
+  const Point at{0.5, 0.25};
+  PointBlock block{{&at[0], &at[1], &at[2]}, 1};
+  block.parameters = below_zero;
+  for (const Field& f : {pow(x, 6.0) + log(parameter(0)), x * y + acos(Field(2)) * parameter(0),
+                         select(apply(Operation::less, {x, 1.0}), NAN, x)})
+    for (int variables = 1; variables <= 4; ++variables)
+      for (int order = 1; order <= 6; ++order) {
+        std::vector<int> coordinates(variables);
+        std::iota(coordinates.begin(), coordinates.end(), 0);
+        const Tape tape({f}, {order}, Variables(coordinates));
+        Tape::Workspace workspace(tape);
+        tape.evaluate(block, workspace);
+        const auto jet = tape.jet(at, 0, {0, below_zero});
+        for (int k = 0; k <= variables; ++k) {
+          EXPECT_TRUE(std::isnan(jet[k])) << k << " of order " << order << " in " << variables;
+          EXPECT_TRUE(std::isnan(workspace.coefficient(0, k)[0])) << k << " of order " << order;
+        }
+      }
+  EXPECT_TRUE(std::isnan(partial(Field(NAN), 0).constant()));
+}
+
+TEST(Tape, BlocksWithoutTheRowThatASourceNeedsAreRefused) {
+  const std::vector<double> ascending{0, 1, 2};
+  const Tape tape({field(std::make_shared<Table>(ascending, ascending, 1))}, {0}, 1);
+  Tape::Workspace workspace(tape);
+  const double at = 0.5;
+  EXPECT_THROW(tape.evaluate({{&at}, 1}, workspace), InvalidArgument);
+}
+
+TEST(Tape, AbsoluteValuesAreNeverNegativeZeros) {
+  const Tape tape({abs(x)}, {1}, 1);
+  EXPECT_FALSE(std::signbit(tape.value({-0.0})));
+  EXPECT_FALSE(std::signbit(evaluate(abs(x), {-0.0}, 1, 1).value()));
 }
 
 TEST(Tape, EveryNumberOfPointsOfABlockIsEvaluated) {
