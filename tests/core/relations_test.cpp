@@ -127,9 +127,10 @@ TEST(Relations, TheNumberOfBoxesIsBounded) {
 }
 
 TEST(Relations, AnAnswerOfYesLeavesNothingUndecided) {
-  // Two disks 1e-12 apart, of which a coarse resolution knows nothing, before a third one.
+  // Two disks 1e-12 apart, of which a coarse resolution knows nothing, before a third one: boxes
+  // are cut off to less than 0.6 of the bounds before the half with the third is looked at.
   RelationOptions coarse;
-  coarse.resolution = 0.3;
+  coarse.resolution = 0.6;
   const Region near = circle({-0.71, 0.013}, 0.2) & circle({-0.31 + 1e-12, 0.013}, 0.2);
   EXPECT_EQ(has_points(RegionEvaluator(near), around(1, 2), coarse).answer, Truth::unknown);
   const Relation relation =
