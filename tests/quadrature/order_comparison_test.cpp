@@ -14,9 +14,10 @@ namespace {
 
 // Calls `visit(box, active)` for the parts of cut cells.
 template <class Visit>
-void visit_cut_cells(const RegionEvaluator& region, const Grid& cells, Visit&& visit) {
-  const CellClassification classification = classify_cells(region, cells);
-  const CellSurfaces surfaces(region, {});
+void visit_cut_cells(const RegionEvaluator& region, const Grid& cells, Visit&& visit,
+                     const Interfaces& interfaces = {}) {
+  const CellClassification classification = classify_cells(region, cells, interfaces);
+  const CellSurfaces surfaces(region, interfaces);
   const Breakpoints breakpoints = surfaces.breakpoints({});
   for (std::size_t c = 0; c < classification.cut_cells.size(); ++c)
     surfaces.visit_cut_cell(classification, static_cast<int>(c),
@@ -44,7 +45,8 @@ std::vector<StandardRegion> bodies() {
 
 // How much a cell of side 1 would be wrong where the rule of `points` − 1 points is made from the
 // lines of the other instead of on its own.
-CellMeasure disagreement(const StandardRegion& body, int cells, int points) {
+CellMeasure disagreement(const StandardRegion& body, int cells, int points,
+                         const Interfaces& interfaces = {}) {
   const RegionEvaluator region(body.region);
   const int dimension = region.dimension();
   Subdivision subdivision{SubdivisionOptions{}};
@@ -61,7 +63,8 @@ CellMeasure disagreement(const StandardRegion& body, int cells, int points) {
             std::max(largest.volume, std::fabs(a.volume - b.volume) / std::pow(side, dimension));
         largest.boundary = std::max(
             largest.boundary, std::fabs(a.boundary - b.boundary) / std::pow(side, dimension - 1));
-      });
+      },
+      interfaces);
   return largest;
 }
 
@@ -72,6 +75,18 @@ TEST(OrderComparison, IsTheRuleOfOnePointFewer) {
       EXPECT_LE(wrong.volume, 1e-14) << body.name << " " << points;
       EXPECT_LE(wrong.boundary, 1e-13) << body.name << " " << points;
     }
+}
+
+TEST(OrderComparison, SplitsPartsAtInterfacesToo) {
+  // A wave through the middle of the body, with inside on both of its sides.
+  std::vector<LevelFunction> wave;
+  wave.emplace_back(y() - 0.05 - 0.1 * sin(4 * x()), 2);
+  const Interfaces interfaces{wave};
+  for (const StandardRegion& body : {bodies()[0], bodies()[1]}) {
+    const CellMeasure wrong = disagreement(body, 12, 4, interfaces);
+    EXPECT_LE(wrong.volume, 1e-14) << body.name;
+    EXPECT_LE(wrong.boundary, 1e-13) << body.name;
+  }
 }
 
 // The unit disk as a source, which counts how often it is evaluated at a point.
