@@ -10,6 +10,7 @@
 #include "core/boolean_simplification.hpp"
 #include "core/diagnosis.hpp"
 #include "core/intersection.hpp"
+#include "core/least_side.hpp"
 #include "core/r_functions.hpp"
 #include "core/surroundings.hpp"
 
@@ -22,7 +23,8 @@ class IrregularitySearch {
   IrregularitySearch(const RegionEvaluator& region, const Box& bounds)
       : region_(region),
         bounds_(bounds),
-        smallest_((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side()),
+        smallest_(std::max((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side(),
+                           least_side(bounds))),
         signs_(region.primitive_count(), Truth::unknown) {}
 
   std::vector<Irregularity> run() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/least_side.hpp"
 #include "core/reach.hpp"
 
 namespace rfm {
@@ -68,7 +69,7 @@ Truth membership(const RegionEvaluator& region, const Point& point, double toler
 
 Relation has_points(const RegionEvaluator& region, const Box& bounds,
                     const RelationOptions& options) {
-  const double smallest = options.resolution * bounds.longest_side();
+  const double smallest = std::max(options.resolution * bounds.longest_side(), least_side(bounds));
   Relation relation;
   // Breadth first: a witness is found in the largest box that shows one.
   std::queue<Box> boxes;

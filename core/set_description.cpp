@@ -8,6 +8,7 @@
 #include "core/diagnosis.hpp"
 #include "core/error.hpp"
 #include "core/intersection.hpp"
+#include "core/least_side.hpp"
 #include "core/point_algebra.hpp"
 #include "core/surroundings.hpp"
 
@@ -30,7 +31,8 @@ class CellSampler {
   }
 
   void run() {
-    const double smallest = (dimension_ == 3 ? 0x1p-5 : 0x1p-7) * box_.longest_side();
+    const double smallest =
+        std::max((dimension_ == 3 ? 0x1p-5 : 0x1p-7) * box_.longest_side(), least_side(box_));
     std::vector<Box> pending{box_};
     while (!pending.empty()) {
       const Box box = pending.back();

@@ -1,6 +1,9 @@
 #include "core/sign_tree.hpp"
 
+#include <algorithm>
 #include <numeric>
+
+#include "core/least_side.hpp"
 
 namespace rfm {
 
@@ -13,7 +16,8 @@ SignTree::SignTree(const RegionEvaluator& region, const Box& bounds)
     start.low[axis] -= margin;
     start.high[axis] += 1.1 * margin;
   }
-  smallest_ = (bounds.dimension == 3 ? 0x1p-6 : 0x1p-10) * start.longest_side();
+  smallest_ = std::max((bounds.dimension == 3 ? 0x1p-6 : 0x1p-10) * start.longest_side(),
+                       least_side(start));
   std::vector<int> all(region.primitive_count());
   std::iota(all.begin(), all.end(), 0);
   signs_.resize(all.size(), Truth::unknown);

@@ -1,7 +1,9 @@
 #include "problems/regular_data.hpp"
 
+#include <algorithm>
 #include <vector>
 
+#include "core/least_side.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -9,7 +11,7 @@ namespace rfm {
 bool is_regular(const Field& function, const RegionEvaluator& region, const Box& bounds) {
   if (function.is_constant()) return true;
   const Tape tape({function}, {1}, region.dimension());
-  const double smallest = 0x1p-6 * bounds.longest_side();
+  const double smallest = std::max(0x1p-6 * bounds.longest_side(), least_side(bounds));
   std::vector<Box> pending{bounds};
   while (!pending.empty()) {
     const Box box = pending.back();

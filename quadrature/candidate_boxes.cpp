@@ -1,7 +1,9 @@
 #include "quadrature/candidate_boxes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/least_side.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -114,7 +116,7 @@ class CandidateSearch {
     const bool few =
         candidates.primitives.size() <= static_cast<std::size_t>(TruthTable::max_variables);
     if (small && few) return visit_small(box, candidates);
-    if (box.longest_side() <= 0x1p-10 * longest_) {
+    if (box.longest_side() <= std::max(0x1p-10 * longest_, least_side(box))) {
       ++crowded_;
       return;
     }

@@ -1,8 +1,11 @@
 #include "quadrature/zero_isolation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+
+#include "core/least_side.hpp"
 
 namespace rfm {
 namespace {
@@ -147,7 +150,7 @@ class ZeroIsolation {
     int longest = axes_[0];
     for (const int axis : axes_)
       if (box.length(axis) > box.length(longest)) longest = axis;
-    if (box.length(longest) <= smallest_) return give_up(box);
+    if (box.length(longest) <= std::max(smallest_, least_side(box))) return give_up(box);
     for (const Box& half : bisect(box, longest)) visit(half);
   }
 

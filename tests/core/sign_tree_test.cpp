@@ -36,6 +36,17 @@ TEST(SignTree, ProvesSignsAndHalvesUntilItKnowsOrIsAtItsResolution) {
   EXPECT_LT(boxes, 10 * leaves);
 }
 
+// Doubles near 1e14 are 1/64 apart: 2⁻¹⁰ of this circle is less.
+TEST(SignTree, EndsWhereBoxesFarAwayNoLongerHalve) {
+  const RegionEvaluator far(circle({1e14, 1e14}, 1));
+  SignTree tree(far, {2, {1e14 - 1, 1e14 - 1}, {1e14 + 1, 1e14 + 1}});
+  int leaves = 0;
+  tree.search([](const SignTree::Node& node) { return node.inside == Truth::unknown; },
+              [&](const SignTree::Node&) { return ++leaves > 0; });
+  EXPECT_GT(leaves, 4);
+  EXPECT_LT(leaves, 10000);
+}
+
 TEST(SignTree, LaterQuestionsHaveTheAnswersOfFreshTrees) {
   const RegionEvaluator region((circle({0, 0}, 1) & circle({1, 0}, 1)) | circle({3, 0}, 0.5) |
                                circle({3.2, 0}, 0.5));
