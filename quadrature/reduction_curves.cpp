@@ -154,13 +154,22 @@ bool Reduction3D::proven_apart(int first, int second) const {
 // Whether two graphs are one, up to rounding: they have no crossing curve, and a box bisected in
 // search of one would never be accepted.
 bool Reduction3D::coincide(int first, int second) const {
-  constexpr double reach = 0.4;
+  // In general position: no curve of third degree passes through all of them, so that surfaces that
+  // cross in straight lines or conics are told apart wherever these lie in the box.
+  static constexpr std::array<std::array<double, 2>, 10> samples{{{0.03, 0.07},
+                                                                  {0.31, -0.17},
+                                                                  {-0.23, 0.41},
+                                                                  {0.37, 0.29},
+                                                                  {-0.39, -0.11},
+                                                                  {-0.13, -0.43},
+                                                                  {0.11, -0.37},
+                                                                  {-0.43, 0.19},
+                                                                  {0.19, 0.13},
+                                                                  {-0.07, -0.29}}};
   const double same = 1e-13 * box_.length(height_);
   const int a = (height_ + 1) % 3, b = (height_ + 2) % 3;
   int both = 0;
-  for (const auto& [u, v] :
-       {std::array{0.0, 0.0}, std::array{-reach, -reach}, std::array{-reach, reach},
-        std::array{reach, -reach}, std::array{reach, reach}}) {
+  for (const auto& [u, v] : samples) {
     LineSegment line{box_.center(), height_, box_.low[height_], box_.high[height_]};
     line.through[a] += u * box_.length(a);
     line.through[b] += v * box_.length(b);

@@ -114,6 +114,31 @@ TEST(FailureModes3D, CoincidentSurfacesAndComplementsLeaveNoCrack) {
   EXPECT_LT(error.area, 1e-9);
 }
 
+// Two unit cylinders cross along both diagonals of the cells in the middle of odd grids: all that
+// the two graphs differ by vanishes at their centres and on the diagonals.
+TEST(FailureModes3D, SurfacesThatCrossAlongTheDiagonalsOfCellsAreTwo) {
+  const Region both = solid(1 - square(x()) - square(y())) & solid(1 - square(y()) - square(z()));
+  for (const int cells : {5, 8, 9}) {
+    QuadratureOptions options;
+    options.inside_points = options.cut_points = 6;
+    const DomainRule rule = make_domain_rule(RegionEvaluator(both), grid(1, cells, 3), options);
+    EXPECT_NEAR(rule.measure(), 16.0 / 3, 2e-10) << cells;
+    EXPECT_NEAR(rule.boundary_measure(), 16, 1e-8) << cells;
+  }
+}
+
+// z > max(x², y²) up to z = 1: 4 − ∫∫ max(x², y²) = 2, polynomials on either side of the diagonals.
+// The border of the grid is moved by 2⁻⁴⁰ of a cell.
+TEST(FailureModes3D, TwoParabolicSheetsAreExactOnOddGrids) {
+  const Region bowl = solid(z() - square(x())) & solid(z() - square(y()));
+  for (const int points : {2, 3}) {
+    QuadratureOptions options;
+    options.inside_points = options.cut_points = points;
+    const DomainRule rule = make_domain_rule(RegionEvaluator(bowl), grid(1, 5, 3), options);
+    EXPECT_NEAR(rule.measure(), 2, 1e-11) << points;
+  }
+}
+
 // Volume points per cut cell; 64 in a box that needs no division.
 int points_per_cell(const Region& region, int cells) {
   QuadratureOptions options;
