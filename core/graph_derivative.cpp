@@ -137,7 +137,7 @@ Field derivative(Operation operation, double number, const Field& f, const Field
     case Operation::multiply:
       return (da.is_constant(0) ? da : da * b) + (db.is_constant(0) ? db : a * db);
     case Operation::divide:
-      return (da - f * db) / b;
+      return (db.is_constant(0) ? da : da - f * db) / b;
     case Operation::power:
       return select(apply(Operation::equal, {a, 0.0}),
                     select(apply(Operation::equal, {b, 1.0}), da, 0.0 * f),
@@ -177,7 +177,6 @@ Field derivative(Operation operation, double number, const Field& f, const Field
 // Whether ∂f as written above is f times something, or contains 0 f: no number where f is none.
 bool has_factor_of_value(Operation operation) {
   switch (operation) {
-    case Operation::divide:
     case Operation::power:
     case Operation::exp:
     case Operation::log:
@@ -243,10 +242,12 @@ GraphDerivative::Known GraphDerivative::of_node(const Field& f) const {
     default:
       break;
   }
-  const bool tells = has_factor_of_value(node.operation);
+  bool tells = has_factor_of_value(node.operation);
   if (arguments.size() == 1) return {f, slope(node.operation, f, a) * da, tells || a_tells};
   const auto& [b, db, b_tells] = known(arguments[1]);
   const bool product = node.operation == Operation::multiply;  // a is a factor of db, b of da
+  // A quotient occurs in its derivative unless its divisor is fixed, which then divides that of a.
+  if (node.operation == Operation::divide) tells = zero(db) ? a_tells : true;
   const bool of_a = a_tells || (product && !zero(db)), of_b = b_tells || (product && !zero(da));
   return {f, derivative(node.operation, node.number, f, a, b, da, db), tells || (of_a && of_b)};
 }

@@ -156,5 +156,14 @@ TEST(Form, AsksForComponentsThatThereAre) {
   EXPECT_THROW(Form::energy(unknown_symbol(1, 2) * u).linearized(one), InvalidArgument);
 }
 
+TEST(Form, IsLinearInTestFunctionsAlsoWhereItIsDividedByWhatMayBeZero) {
+  const Field r2 = x * x + y * y;
+  for (const Field& form : {u * v / r2, (u * v + partial(u, 0) * partial(v, 0)) / sqrt(r2),
+                            u / hypot(x, y) * (x * partial(v, 0) + y * partial(v, 1)) / r2})
+    EXPECT_NO_THROW(Form::weak(form));
+  EXPECT_THROW(Form::weak(u / v), InvalidArgument);
+  EXPECT_THROW(Form::weak(u * v / (1 + v)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace rfm
