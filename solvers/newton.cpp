@@ -9,6 +9,8 @@
 #include "solvers/assembly.hpp"
 #include "solvers/equations.hpp"
 #include "solvers/equilibration.hpp"
+#include "solvers/free_functions.hpp"
+#include "solvers/kernel.hpp"
 #include "solvers/solution.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
@@ -35,7 +37,8 @@ class Newton {
         rule_(rule),
         linear_options_(linear_options),
         options_(options),
-        arguments_(arguments) {
+        arguments_(arguments),
+        candidates_(structures, spaces) {
     for (const Structure& structure : structures) changes_.push_back(homogeneous_part(structure));
   }
 
@@ -101,7 +104,8 @@ class Newton {
     LinearSystem system = system_;
     system.right_hand_side -= remaining_;
     try {
-      solution_.linear = rfm::solve(system, linear_options_);
+      const Kernel kernel(system, candidates_.coefficients());
+      solution_.linear = rfm::solve(kernel.pinned(std::move(system)), linear_options_);
     } catch (const ComputationError& error) {
       fail(error.what());
     }
@@ -150,6 +154,7 @@ class Newton {
   LinearSolverOptions linear_options_;
   NewtonOptions options_;
   FieldArguments arguments_;
+  FreeFunctions candidates_;  // for what equations leave free: the level of a pressure
   std::vector<Structure> changes_;
   Vector coefficients_, row_scale_, column_scale_, remaining_;
   LinearSystem system_;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solvers/linear_system.hpp"
+
+namespace rfm {
+
+/// What a system K c = f does not see: the part of a few candidate functions (constants, rigid
+/// motions, the level of a pressure) on which K vanishes. It is found from the matrix, scaled, so
+/// that nobody has to say what a problem leaves free, and combinations count, as a rotation about
+/// another point does.
+///
+/// Of the kernel's functions as many coefficients are held at zero: the system without it has the
+/// same solutions up to the kernel, if the loads are compatible. A kernel whose functions are no
+/// candidates is not seen, and the system stays singular.
+class Kernel {
+ public:
+  /// `candidates` are columns of coefficients, independent of each other. Throws `InvalidArgument`
+  /// if their length does not fit.
+  Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates);
+
+  int size() const { return static_cast<int>(pinned_.size()); }
+  /// Column k: the weights of the candidates in function k of the kernel.
+  const Eigen::MatrixXd& weights() const { return weights_; }
+  /// The system with one coefficient per function held at zero.
+  LinearSystem pinned(LinearSystem system) const;
+  /// How far the equations that were given up are from holding for a solution of the pinned system,
+  /// relative to the sum of all loads: rounding if the loads are compatible with the kernel.
+  double incompatibility(const LinearSystem& system, const Eigen::VectorXd& solution) const;
+
+ private:
+  Eigen::MatrixXd weights_;
+  std::vector<Eigen::Index> pinned_;
+  Eigen::VectorXd rows_, columns_;  // the scaling
+};
+
+}  // namespace rfm
