@@ -69,6 +69,7 @@ void add_values(const Condition& condition, const std::vector<std::string>& unkn
     piece.component = static_cast<int>(c);
     if (unknowns.size() > 1) piece.unknown = unknowns[c];
     piece.kind = is_free ? Condition::Kind::flux : Condition::Kind::value;
+    if (is_free) piece.enforcement = Condition::Enforcement::automatic;
     piece.clamped = condition.clamped;
     piece.data = {is_free || condition.clamped ? Field(0.0) : value->second.field(scope)};
     result.push_back(piece);
@@ -301,15 +302,19 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
       group->push_back(piece);
   }
   std::vector<TransfiniteDatum> data;
+  Structure::Call call{{}, "transfinite", {}};
   for (const auto& group : groups) {
     Weight distance{1.0, ""};
     if (groups.size() > 1) distance = distance_from(group, region, bounds, bounding);
     data.push_back({group[0].data[0], distance.function, 1});
+    call.arguments.insert(call.arguments.end(), {group[0].data[0], distance.function, 1.0});
     std::string pieces;
     for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;
     plan.data_sets.push_back({pieces, distance.formula});
   }
   plan.data = transfinite_interpolant(data);
+  plan.given = plan.data;
+  if (groups.size() > 1) plan.given = plan.given.written_as(plan.data, call);
   return plan;
 }
 

@@ -7,6 +7,7 @@
 #include "core/weight.hpp"
 #include "problems/problem.hpp"
 #include "quadrature/domain_rule.hpp"
+#include "solution_structures/structure.hpp"
 
 namespace rfm {
 
@@ -40,6 +41,7 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
 /// integrals (Nitsche) on the others.
 struct DirichletPlan {
   Field data = 0.0;        ///< g
+  Structure given = 0.0;   ///< g as it is written
   Weight weight{1.0, ""};  ///< ω; 1 where nothing is enforced by structure
   /// The structure of the user's own, as text: then g is its inhomogeneous part, and ω is not used.
   std::string own_structure = {};

@@ -8,6 +8,7 @@
 #include "problems/reserved_names.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/solution_symbols.hpp"
+#include "problems/structure_options.hpp"
 
 namespace rfm {
 namespace {
@@ -58,8 +59,10 @@ BoundaryTarget BoundaryReader::target(const std::string& name, const Place& plac
   target.pieces = pieces_of(name);
   if (!target.pieces.empty()) return target;
   if (problem_.sets.contains(name))
-    throw InputError("'" + name + "' is a set: conditions at sets are not supported yet", 0,
-                     name.size());
+    throw InputError("'" + name +
+                         "' is a set and no part of the boundary: conditions on sets have "
+                         "entries of their own",
+                     0, name.size());
   if (const OutlineSide* side = shapes_.side(name)) {
     for (const std::string& piece : side->pieces)
       if (pieces_.contains(piece)) target.pieces.push_back(piece);
@@ -154,8 +157,24 @@ void BoundaryReader::read_conditions() {
   problem_.conditions_place = conditions->place;
   for (const DocumentNode::Entry& entry : root_.entries)
     if (&entry.value == conditions) problem_.conditions_place = entry.key_place;
-  for (const DocumentNode& item : conditions->items)
-    if (values_.fits(item)) read_condition(item);
+  std::vector<std::string> sets;
+  for (const auto& [name, set] : problem_.sets) sets.push_back(name);
+  for (const DocumentNode& item : conditions->items) {
+    if (!values_.fits(item)) continue;
+    if (is_inner_condition(item, sets))
+      mark_shapes(item);
+    else
+      read_condition(item);
+  }
+}
+
+// Conditions inside the domain are read when structures are made (structure_options.hpp).
+void BoundaryReader::mark_shapes(const DocumentNode& condition) {
+  const DocumentNode* at = values_.find(condition, "at");
+  if (!at) return;
+  if (shapes_.shapes().contains(at->text)) shapes_.mark_used(at->text);
+  for (const DocumentNode& name : at->items)
+    if (shapes_.shapes().contains(name.text)) shapes_.mark_used(name.text);
 }
 
 void BoundaryReader::read_condition(const DocumentNode& node) {
@@ -191,6 +210,8 @@ void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& 
     if (free->text != "true")
       values_.mistakes.add("expected free: true; what is prescribed takes the place of false",
                            free->place);
+    if (const DocumentNode* enforce = values_.find(node, "enforce"))
+      values_.mistakes.add("nothing is prescribed here that could be enforced", enforce->place);
   } else if (const DocumentNode* clamped = values_.find(node, "clamped")) {
     condition.kind = Condition::Kind::value;
     condition.clamped = true;

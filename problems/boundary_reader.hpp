@@ -30,6 +30,7 @@ class BoundaryReader {
   std::vector<std::string> pieces_of(const std::string& name);
   void read_region(const DocumentNode::Entry& entry);
   void read_parts(const DocumentNode& of, const DocumentNode& map, BoundaryTarget& region);
+  void mark_shapes(const DocumentNode& condition);
   void read_condition(const DocumentNode& node);
   void read_values(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
   void read_data(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);

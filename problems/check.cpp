@@ -128,6 +128,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const auto& [name, deviation] : distance_quality(scalar, rule))
     qualities += fmt::format("{}{} {:.1e}", qualities.empty() ? "" : ", ", name, deviation);
   log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}", qualities);
+  const std::vector<std::optional<std::string>> lines = scalar.structure_lines(grid);
   for (std::size_t c = 0; c < scalar.dirichlet().size(); ++c) {
     const DirichletPlan& plan = scalar.dirichlet()[c];
     if (!plan.own_structure.empty()) {
@@ -137,7 +138,12 @@ int check_problem(const std::string& file, const CheckOptions& options) {
                plan.weight.formula);
       for (const WeightPart& part : plan.weight.parts)
         log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
+    } else {
+      log.line("structure: {} = psi", problem.physics.unknowns[c]);
     }
+    if (plan.own_structure.empty())
+      log.line("  {}", lines[c] ? "discretization.structure: " + *lines[c]
+                                : "it cannot be written as one line");
     for (const std::string& remark : plan.remarks) log.line("note: {}", remark);
   }
   for (const Irregularity& irregularity : scalar.irregularities())

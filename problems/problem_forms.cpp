@@ -29,11 +29,14 @@ std::vector<Form> scalar_forms(const ScalarProblem& problem, double h) {
   const int dimension = problem.problem().dimension;
   const bool residuals = uses_residuals(problem.problem());
   std::vector<Form> list{volume_form(problem.coefficients(), dimension, residuals)};
-  for (const PieceCondition& condition : problem.conditions())
+  for (const PieceCondition& condition : problem.conditions()) {
+    // The residual of what the structure satisfies is nothing.
+    if (residuals && condition.enforcement == Condition::Enforcement::structure) continue;
     for (Form& natural :
          natural_forms(condition, problem.coefficients(),
                        outward_normal(condition.primitive, problem.region()), residuals, h))
       list.push_back(std::move(natural));
+  }
   return list;
 }
 

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 
+#include "problems/structure_options.hpp"
+
 namespace rfm {
 
 ProblemInterfaces::ProblemInterfaces(const Problem& problem) {
   for (const Material& material : problem.physics.materials)
     if (material.region) add_boundary_of(*material.region);
+  const StructureOptions inner = structure_options(problem);
+  for (const InterfaceCondition& interface : inner.interfaces) add_boundary_of(interface.region);
+  for (const SetValue& value : inner.values)
+    if (value.where.surface) levels_.emplace_back(*value.where.surface, problem.dimension);
   for (const Probe& probe : problem.probes)
     if (probe.region) add_boundary_of(*probe.region);
   for (const Probe& probe : problem.probes)

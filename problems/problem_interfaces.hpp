@@ -5,7 +5,8 @@
 
 namespace rfm {
 
-/// Where quadrature splits cells, since integrands jump: at the boundaries of materials and of
+/// Where quadrature splits cells, since integrands jump: at the boundaries of materials, at
+/// curves and surfaces inside the domain that conditions are about, and at those of
 /// parts of the domain that probes look at; rules of the boundary also where parts of it end that
 /// conditions or probes name.
 class ProblemInterfaces {

@@ -27,11 +27,27 @@ std::string json_text(const nlohmann::ordered_json& summary) {
   return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void log_structure(RunLog& log, const std::string& unknown, const DirichletPlan& plan) {
+// The structure as text; what is very long stands whole in the summary.
+void log_line_of_structure(RunLog& log, const std::optional<std::string>& line) {
+  constexpr std::size_t longest = 1000;
+  if (!line)
+    log.line("  it cannot be written as one line");
+  else if (line->size() <= longest)
+    log.line("  discretization.structure: {}", *line);
+  else
+    log.line("  discretization.structure: {}... (the whole stands in summary.json)",
+             line->substr(0, longest / 2));
+}
+
+void log_structure(RunLog& log, const std::string& unknown, const DirichletPlan& plan,
+                   const std::optional<std::string>& line) {
   if (!plan.own_structure.empty())
     log.line("structure: {} = {}", unknown, plan.own_structure);
   else if (!plan.by_structure.empty())
     log.line("structure: {} = g + omega psi, omega = {}", unknown, plan.weight.formula);
+  else
+    log.line("structure: {} = psi", unknown);
+  if (plan.own_structure.empty()) log_line_of_structure(log, line);
   if (plan.data_sets.size() > 1)
     for (const auto& set : plan.data_sets)
       log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
@@ -65,8 +81,9 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   const QuadratureReport& quadrature = solution.rule.report();
   if (!problem.problem().title.empty()) log.line("{}", problem.problem().title);
   const std::vector<DirichletPlan>& plans = problem.dirichlet();
+  const std::vector<std::optional<std::string>> lines = problem.structure_lines(grid);
   for (std::size_t c = 0; c < plans.size(); ++c)
-    log_structure(log, problem.problem().physics.unknowns[c], plans[c]);
+    log_structure(log, problem.problem().physics.unknowns[c], plans[c], lines[c]);
   // A zero inside matters to a weight only.
   const bool has_weight = std::ranges::any_of(plans, [](const DirichletPlan& plan) {
     return !plan.by_structure.empty() && plan.own_structure.empty() && !plan.uses_regular_form;
@@ -121,6 +138,11 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   if (solution.linear.method == LinearSolution::Method::ldlt && !has_weak_values)
     log.line(
         "note: the energy is not positive definite (a negative coefficient?); u is stationary");
+  if (solution.undetermined && *solution.undetermined > 1e-4)
+    log.line(
+        "warning: the equations leave a part of the solution open, {:.1g} of it in a trial: is a "
+        "condition missing?",
+        *solution.undetermined);
   if (solution.linear.dropped > 0)
     log.line("note: {} splines without support were dropped", solution.linear.dropped);
 }

@@ -40,6 +40,23 @@ FormPlace form_place(const PieceCondition& condition) {
   return {Contribution::Place::boundary, {condition.primitive}, condition.where};
 }
 
+Field natural_residual(const PieceCondition& condition, const ScalarCoefficients& coefficients,
+                       const std::vector<Field>& normal, const Field& u) {
+  return dot(conductive_flux(coefficients, u, static_cast<int>(normal.size())), normal) -
+         natural_flux(condition, coefficients, u);
+}
+
+Field normal_conductivity(const ScalarCoefficients& coefficients,
+                          const std::vector<Field>& normal) {
+  const std::size_t dimension = normal.size();
+  Field k = 0.0;
+  for (std::size_t i = 0; i < dimension; ++i)
+    for (std::size_t j = 0; j < dimension; ++j)
+      k = k +
+          product_or_nothing(coefficients.conductivity[i * dimension + j], normal[i] * normal[j]);
+  return k;
+}
+
 Form volume_form(const ScalarCoefficients& coefficients, int dimension, bool least_squares) {
   const Field u = unknown_symbol(0, dimension), v = test_symbol(0, dimension);
   const std::vector<Field> flux = conductive_flux(coefficients, u, dimension);
@@ -57,23 +74,18 @@ std::vector<Form> natural_forms(const PieceCondition& condition,
   if (condition.kind == Condition::Kind::value) return {};
   const int dimension = static_cast<int>(normal.size());
   const Field u = unknown_symbol(0, dimension);
-  const Field flux = natural_flux(condition, coefficients, u);
   if (least_squares)
-    return {Form::least_squares({dot(conductive_flux(coefficients, u, dimension), normal) - flux},
-                                {1 / h}, form_place(condition))};
+    return {Form::least_squares({natural_residual(condition, coefficients, normal, u)}, {1 / h},
+                                form_place(condition))};
+  const Field flux = natural_flux(condition, coefficients, u);
   if (flux.is_constant(0)) return {};
   return {Form::weak(-flux * test_symbol(0, dimension), form_place(condition))};
 }
 
 Form value_residual(const PieceCondition& condition, const ScalarCoefficients& coefficients,
                     const std::vector<Field>& normal, double h) {
-  const int dimension = static_cast<int>(normal.size());
-  Field k = 0.0;
-  for (int i = 0; i < dimension; ++i)
-    for (int j = 0; j < dimension; ++j)
-      k = k +
-          product_or_nothing(coefficients.conductivity[i * dimension + j], normal[i] * normal[j]);
-  return Form::least_squares({k * (unknown_symbol(0, dimension) - condition.data[0])},
+  const Field u = unknown_symbol(0, static_cast<int>(normal.size()));
+  return Form::least_squares({normal_conductivity(coefficients, normal) * (u - condition.data[0])},
                              {1 / (h * h * h)}, form_place(condition));
 }
 

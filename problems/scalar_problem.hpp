@@ -10,10 +10,12 @@
 #include "core/regularity.hpp"
 #include "problems/boundary_conditions.hpp"
 #include "problems/eigen_study.hpp"
+#include "problems/natural_structure.hpp"
 #include "problems/problem_grid.hpp"
 #include "problems/problem_interfaces.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
+#include "problems/structure_options.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
 #include "solvers/equations.hpp"
@@ -44,6 +46,9 @@ struct ScalarSolution {
   std::optional<double> energy{};
   double boundary_residual = 0;  ///< max |u − g| over the boundary points of value conditions
   bool mean_set_to_zero = false;
+  /// Where a structure has several functions, which may describe nearly the same: how large a part
+  /// of u the equations leave open, relative to u in L2 (an estimate by chance).
+  std::optional<double> undetermined{};
   /// The steps of a nonlinear problem, and the order of convergence that they show.
   std::vector<NewtonIteration> newton{};
   std::optional<double> newton_order{};
@@ -70,11 +75,15 @@ class ScalarProblem {
   /// By unknown.
   const std::vector<DirichletPlan>& dirichlet() const { return plans_; }
   const ScalarCoefficients& coefficients() const { return coefficients_; }
-  /// By unknown.
-  const std::vector<Structure>& structures() const { return structures_; }
+  /// By unknown, on a grid: corrections near the boundary are as wide as its cells.
+  std::vector<Structure> structures(const Grid& grid) const;
+  /// The same as text (problems/structure_language.hpp).
+  std::vector<std::optional<std::string>> structure_lines(const Grid& grid) const;
   /// Where the function of the domain is zero inside it, and dangling pieces.
   const std::vector<Irregularity>& irregularities() const { return irregularities_; }
 
+  /// Of undetermined functions in all structures, the unknowns' number at least.
+  int function_count() const;
   int unknown_count() const { return static_cast<int>(problem_.physics.unknowns.size()); }
   Grid grid(std::optional<int> cells = {}) const { return problem_grid(problem_, bounds_, cells); }
   /// Quadrature for solving: p + 1 points per axis inside, p + 3 in cut cells and on boundaries;
@@ -84,8 +93,8 @@ class ScalarProblem {
   }
   /// The same over another region: a part of the domain.
   DomainRule rule(const RegionEvaluator& region, const Grid& grid, int more_points = 0) const;
-  /// The splines of every unknown on the grid of a rule, and of the further functions of a
-  /// structure of the user's own.
+  /// The splines of every unknown on the grid of a rule, and of further functions of the
+  /// structures: those where their factors do not vanish.
   std::vector<TensorProductSpace> spaces(const DomainRule& rule) const;
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
@@ -96,7 +105,11 @@ class ScalarProblem {
 
  private:
   void plan_values(const DomainRule& probe);
-  void plan_own_structure(const UserStructure& user, const DomainRule& probe);
+  void plan_own_structures(const std::vector<UserStructure>& own, const DomainRule& probe);
+  void require_natural(const DomainRule& probe) const;
+  DirichletPlan automatic_plan(int component, const DomainRule& probe,
+                               const std::optional<BooleanExpression>& form) const;
+  NaturalStructure natural_structure(const Grid& grid) const;
   /// The points of collocation: p − 1 per axis (2 at least), enough for more equations than
   /// unknowns, p on boundaries.
   DomainRule collocation_rule(const Grid& grid) const;
@@ -121,6 +134,10 @@ class ScalarProblem {
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
                        const ScalarSolution& solution) const;
+  double undetermined_part(const LinearSystem& system,
+                           const std::vector<TensorProductSpace>& functions,
+                           const ScalarSolution& solution) const;
+  void add_singular_functions(const DomainRule& probe, int& functions);
   double boundary_residual(const ScalarSolution& solution) const;
   double boundary_residual(const std::vector<Field>& fields, const DomainRule& rule) const;
 
@@ -133,7 +150,10 @@ class ScalarProblem {
   std::vector<PieceCondition> conditions_;
   std::vector<DirichletPlan> plans_;
   std::vector<Irregularity> irregularities_;
-  std::vector<Structure> structures_;
+  std::vector<Structure> structures_;  // without corrections for natural conditions
+  std::vector<NaturalPiece> natural_;
+  StructureOptions inner_;
+  bool own_use_cells_ = false;  // structures of the user's own depend on the grid
 };
 
 }  // namespace rfm

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "basis/tensor_polynomials.hpp"
 #include "core/error.hpp"
@@ -97,7 +98,7 @@ bool ScalarProblem::fixed_up_to_constant() const {
   if (problem_.physics.custom || depend_on_solution(coefficients_) ||
       !coefficients_.advection.empty())
     return false;
-  if (!coefficients_.reaction.is_constant(0)) return false;
+  if (!coefficients_.reaction.is_constant(0) || !inner_.values.empty()) return false;
   return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
     if (condition.kind == Condition::Kind::flux) return true;
     if (condition.kind == Condition::Kind::value) return false;
@@ -184,7 +185,7 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
 
   Stopwatch results;
   const std::vector<Field> fields =
-      solution_fields(structures_, functions, solution.linear.coefficients);
+      solution_fields(structures(grid), functions, solution.linear.coefficients);
   solution.results.dimension = problem_.dimension;
   for (int c = 0; c < unknown_count(); ++c)
     solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
@@ -212,7 +213,7 @@ LinearSolverOptions ScalarProblem::linear_options() const {
   if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
     options.method = LinearSolverOptions::Method::direct;
   // Several functions in one unknown may describe nearly the same.
-  if (unknown_count() == 1 && structures_[0].unknown_count() > 1) {
+  if (function_count() > unknown_count()) {
     options.method = LinearSolverOptions::Method::direct;
     options.regularization = 1e-13;
     options.refinement_steps = 4;
@@ -224,13 +225,45 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
                                          const std::vector<TensorProductSpace>& functions,
                                          bool free_constant, ScalarSolution& solution) const {
   Stopwatch assembly;
-  LinearSystem system = assemble(structures_, functions, parts, solution.rule);
+  LinearSystem system = assemble(structures(solution.rule.grid()), functions, parts, solution.rule);
   if (free_constant) pin_one(system);
   solution.seconds.assembly = assembly.seconds();
   Stopwatch solve;
   solution.linear = rfm::solve(system, linear_options());
+  if (function_count() > unknown_count())
+    solution.undetermined = undetermined_part(system, functions, solution);
   solution.seconds.solve = solve.seconds();
   return system;
+}
+
+// The regularised system is answered also where it is singular. What it then gives to a right-hand
+// side of the size of the regularisation, chosen at random, is undetermined: nothing where two
+// functions merely describe the same u, but a function of the size of u where a condition is
+// missing.
+double ScalarProblem::undetermined_part(const LinearSystem& system,
+                                        const std::vector<TensorProductSpace>& functions,
+                                        const ScalarSolution& solution) const {
+  const LinearSolverOptions options = linear_options();
+  const Eigen::VectorXd scale = system.matrix.diagonal().cwiseAbs().cwiseSqrt();
+  const Eigen::VectorXd scaled = scale.cwiseProduct(solution.linear.coefficients);
+  std::mt19937 engine(1);
+  LinearSystem disturbed = system;
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    disturbed.right_hand_side[i] = scale[i] * (static_cast<double>(engine()) / 0x80000000u - 1);
+  disturbed.right_hand_side *=
+      options.regularization * std::sqrt(scaled.squaredNorm() / static_cast<double>(scale.size()));
+  const LinearSolution answer = rfm::solve(disturbed, options);
+  const std::vector<Structure> structures = this->structures(solution.rule.grid());
+  std::vector<Structure> homogeneous;
+  for (const Structure& structure : structures) homogeneous.push_back(homogeneous_part(structure));
+  const std::vector<Field> open = solution_fields(homogeneous, functions, answer.coefficients),
+                           u = solution_fields(structures, functions, solution.linear.coefficients);
+  double part = 0, whole = 0;
+  for (std::size_t c = 0; c < u.size(); ++c) {
+    part = std::hypot(part, norms(open[c], solution.rule).l2);
+    whole = std::hypot(whole, norms(u[c], solution.rule).l2);
+  }
+  return whole > 0 ? part / whole : part;
 }
 
 void ScalarProblem::solve_forms(const std::vector<Form>& equations,
@@ -240,11 +273,12 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   NewtonOptions options;
   options.load_steps = problem_.discretization.load_steps;
   const bool at_points = problem_.discretization.method == Discretization::Method::collocation;
-  NewtonSolution newton = at_points
-                              ? solve_collocation(structures_, functions, equations,
-                                                  collocation_rule(solution.rule.grid()), options)
-                              : solve_newton(structures_, functions, equations, solution.rule,
-                                             linear_options(), options);
+  const Grid& grid = solution.rule.grid();
+  const std::vector<Structure> structures = this->structures(grid);
+  NewtonSolution newton = at_points ? solve_collocation(structures, functions, equations,
+                                                        collocation_rule(grid), options)
+                                    : solve_newton(structures, functions, equations, solution.rule,
+                                                   linear_options(), options);
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);
@@ -257,7 +291,7 @@ Equations ScalarProblem::equations(const DomainRule& rule) const {
   if (!problem_.physics.custom) terms.stiffness = contributions(rule.grid());
   if (eigen) terms.mass = {mass_energy(coefficients_)};
   std::vector<Structure> structures;
-  for (const Structure& structure : structures_)
+  for (const Structure& structure : this->structures(rule.grid()))
     structures.push_back(eigen ? homogeneous_part(structure) : structure);
   if (!has_global_functions())
     return Equations(std::move(structures), spaces(rule), std::move(terms), rule);

@@ -67,11 +67,13 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"discretization.method=least_squares", word_value, optional, "The residual is minimised."},
     {"discretization.method=collocation", word_value, optional,
      "The residual is small at Gauss points, more of them than unknowns."},
-    {"discretization.structure", text_value, optional,
+    {"discretization.structure", text_value | named_map_value, optional,
      "A solution structure of one's own: a formula in psi1, psi2, ... (psi, if there is one) that "
-     "takes all values that are prescribed. D(omega, f) is the derivative along grad omega, "
-     "normalizer(f, omega) is f(x - omega grad omega), transfinite(p1, omega1, mu1, ...) "
-     "interpolates."},
+     "takes all values that are prescribed; of several unknowns {name: formula}. D(omega, f) is "
+     "the derivative along grad omega, normalizer(f, omega) is f(x - omega grad omega), "
+     "transfinite(p1, omega1, mu1, ...) interpolates, near(omega, c) is 1 where omega = 0 and "
+     "fades within c cells, level(name) is a polynomial of the sign of omega(name)."},
+    {"discretization.structure.*", text_value, required, "The structure of this unknown."},
     {"discretization.quadrature", map_value, optional, "The integration."},
     {"discretization.quadrature.order", integer_value, optional,
      "Gauss points in each direction of a cell; without it, as the degree needs.", works,

@@ -94,6 +94,23 @@ std::string method_name(LinearSolution::Method method) {
   }
 }
 
+// The structures as they may be written into the file, and what their weights are made of: one
+// text, or one for each unknown.
+void add_structures(ordered_json& summary, const ScalarProblem& problem, const Grid& grid) {
+  const std::vector<std::optional<std::string>> lines = problem.structure_lines(grid);
+  const auto add = [&](const char* key, std::size_t c, const std::string& text) {
+    if (lines.size() == 1)
+      summary[key] = text;
+    else
+      summary[key][problem.problem().physics.unknowns[c]] = text;
+  };
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    if (lines[c]) add("structure", c, *lines[c]);
+    const DirichletPlan& plan = problem.dirichlet()[c];
+    if (plan.own_structure.empty()) add("weight", c, plan.weight.formula);
+  }
+}
+
 }  // namespace
 
 bool RunReport::all_ok() const {
@@ -163,17 +180,12 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
       {"linear_residual", solution.linear.relative_residual},
       {"linear_solver", solution.eigen ? "lanczos" : method_name(solution.linear.method)},
       {"dropped_splines", solution.linear.dropped}};
+  if (solution.undetermined) summary["trust"]["undetermined"] = *solution.undetermined;
   constexpr int most_cells = 5;
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
   for (const std::string& note : report.notes) summary["notes"].push_back(note);
-  if (!problem.dirichlet()[0].own_structure.empty())
-    summary["structure"] = problem.dirichlet()[0].own_structure;
-  else if (problem.dirichlet().size() == 1)
-    summary["weight"] = problem.dirichlet()[0].weight.formula;
-  else
-    for (std::size_t c = 0; c < problem.dirichlet().size(); ++c)
-      summary["weight"][file.physics.unknowns[c]] = problem.dirichlet()[c].weight.formula;
+  add_structures(summary, problem, solution.rule.grid());
   const RunReport::Seconds& seconds = report.seconds;
   summary["seconds"] = {{"read", seconds.read},
                         {"prepare", seconds.prepare},

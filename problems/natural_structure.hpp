@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problems/boundary_conditions.hpp"
+#include "problems/scalar_physics.hpp"
+#include "solution_structures/structure.hpp"
+
+namespace rfm {
+
+/// A natural condition that holds by structure, and the function that vanishes on its piece: smooth
+/// across it, positive inside, normalised.
+struct NaturalPiece {
+  PieceCondition condition;
+  Field omega;
+};
+
+/// The natural conditions among `conditions` that are to hold by structure (`enforce: structure`).
+/// Throws `ProblemFileErrors` with the place of those that no structure has: data or coefficients
+/// that contain the solution, that jump between materials, or that are undefined inside the domain;
+/// functions of the whole domain.
+std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& conditions,
+                                         const Problem& problem,
+                                         const ScalarCoefficients& coefficients,
+                                         const RegionEvaluator& region, const Box& bounds);
+
+/// A structure w, corrected next to these pieces so that it satisfies their conditions, too:
+///
+///     w − Σᵢ χᵢ ωᵢ ω₀/(ω₀ + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ²
+///
+/// (`corrected` of solution_structures/condition_part.hpp), ω₀ = `values` being zero where w takes
+/// prescribed values. The cutoffs χ are `faded` with a width of one and a half cells, told as calls
+/// to be written `near(omega, 1.5)`. Ψ has the number `remainder`.
+struct NaturalStructure {
+  Structure structure;
+  std::vector<Structure::Call> calls;
+};
+NaturalStructure with_natural_conditions(const Structure& w, const std::optional<Field>& values,
+                                         const std::vector<NaturalPiece>& pieces,
+                                         const ScalarCoefficients& coefficients, const Box& bounds,
+                                         double cell, int remainder);
+
+}  // namespace rfm
