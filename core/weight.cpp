@@ -1,6 +1,7 @@
 #include "core/weight.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 
@@ -189,13 +190,22 @@ void scale_corners(Weight& weight, const WeightOptions& options, const WeightLit
 
 constexpr const char* of_a_shape = "as the function of the shape";
 
-// A weight of R-functions of one system throughout.
+// Whether operations of a system are of another degree than their arguments: in another unit of
+// length they are other functions, and of deep expressions soon zero or infinite.
+bool depends_on_units(const RSystem& system) {
+  return std::holds_alternative<RAlphaM>(system) || std::holds_alternative<RCm>(system);
+}
+
+// A weight of R-functions of one system throughout, in a region of this size.
 Weight weight_of_system(const BooleanExpression& normal, const WeightLiterals& literals,
-                        const RSystem& system) {
-  Weight result{literals.combined(normal, system), literals.combined_text(normal, system)};
+                        const RSystem& system, double size = 1) {
+  const bool alone = literal_of(normal).primitive >= 0;
+  const double unit = depends_on_units(system) && !alone ? size : 1.0;
+  Weight result{literals.combined(normal, system, unit),
+                literals.combined_text(normal, system, unit)};
   std::ostringstream rule;
   rule << "R-functions, " << system;
-  if (literal_of(normal).primitive >= 0)
+  if (alone)
     result.parts.push_back({result.formula, "the shape alone", of_a_shape});
   else
     result.parts.push_back({result.formula, rule.str(), smoothness_text(system)});
@@ -224,6 +234,18 @@ void level_off(Weight& factor, const PlateauRule& rule) {
   factor.parts[0].rule += ", levelled off at " + w;
   factor.parts[0].smoothness +=
       "; at the edge of the plateau " + std::to_string(rule.power - 1) + " times differentiable";
+}
+
+// What shaping does to the smoothness of every part.
+void tell_of_shaping(Weight& weight, const WeightOptions& options) {
+  std::string text;
+  if (options.saturation && std::fmod(options.saturation->alpha, 2) != 0)
+    text += "; where the function of a shape is zero " +
+            number_text(std::ceil(options.saturation->alpha)) +
+            " times differentiable, as it is saturated by |omega|^" +
+            number_text(options.saturation->alpha);
+  if (options.cap) text += "; no smoother than the cap";
+  for (WeightPart& part : weight.parts) part.smoothness += text;
 }
 
 std::string reason_for_product(const CombineRule& rule) {
@@ -270,7 +292,8 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
   const BooleanExpression normal = without_redundancy(simplified(expression, region, bounds));
   Weight result{1.0, ""};
   if (const auto* system = std::get_if<RSystem>(&options.rule)) {
-    result = weight_of_system(normal, literals, *system);
+    result = weight_of_system(normal, literals, *system, bounds.longest_side());
+    tell_of_shaping(result, options);
     scale_corners(result, options, literals, region.region());
     return result;
   }
@@ -283,6 +306,7 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
     result.formula += (result.formula.empty() ? "" : " * ") + factor.formula;
     result.parts.push_back(factor.parts[0]);
   }
+  tell_of_shaping(result, options);
   if (result.parts.size() > 1)
     result.parts.insert(result.parts.begin(), {result.formula,
                                                "product of " + std::to_string(result.parts.size()) +

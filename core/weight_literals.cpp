@@ -55,18 +55,19 @@ std::string WeightLiterals::text(int primitive, bool negated) const {
   return result;
 }
 
-Field WeightLiterals::combined(const BooleanExpression& expression, const RSystem& system) const {
+Field WeightLiterals::combined(const BooleanExpression& expression, const RSystem& system,
+                               double size) const {
   const int count = static_cast<int>(region_.primitives().size());
   const BooleanExpression monotone = expression.monotone_form(count);
   std::vector<Field> literals(2 * region_.primitives().size());
   for (const auto& node : monotone.nodes())
     if (node.kind == BooleanExpression::Kind::variable)
-      literals[node.first] = function(node.first % count, node.first >= count);
-  return r_function(monotone, literals, system);
+      literals[node.first] = function(node.first % count, node.first >= count) / size;
+  return size * r_function(monotone, literals, system);
 }
 
 std::string WeightLiterals::combined_text(const BooleanExpression& expression,
-                                          const RSystem& system) const {
+                                          const RSystem& system, double size) const {
   using Kind = BooleanExpression::Kind;
   const int count = static_cast<int>(region_.primitives().size());
   const BooleanExpression monotone = expression.monotone_form(count);
@@ -75,12 +76,13 @@ std::string WeightLiterals::combined_text(const BooleanExpression& expression,
     if (node.kind == Kind::constant)
       built.push_back(node.first ? "1" : "-1");
     else if (node.kind == Kind::variable)
-      built.push_back(text(node.first % count, node.first >= count));
+      built.push_back(text(node.first % count, node.first >= count) +
+                      (size == 1 ? "" : "/" + number_text(size)));
     else
       built.push_back(operation_text(system, node.kind == Kind::conjunction, built[node.first],
                                      built[node.second]));
   }
-  return built.back();
+  return (size == 1 ? "" : number_text(size) + "*") + built.back();
 }
 
 }  // namespace rfm

@@ -20,9 +20,12 @@ class WeightLiterals {
   /// The formula of `function`.
   std::string text(int primitive, bool negated) const;
 
-  /// An expression with negations at its leaves: R-functions of the shaped functions.
-  Field combined(const BooleanExpression& expression, const RSystem& system) const;
-  std::string combined_text(const BooleanExpression& expression, const RSystem& system) const;
+  /// An expression with negations at its leaves: R-functions of the shaped functions. These are
+  /// divided by `size`, a length, and the result is multiplied by it, which changes nothing where
+  /// operations are homogeneous: degrees of others grow as powers of the depth of an expression.
+  Field combined(const BooleanExpression& expression, const RSystem& system, double size = 1) const;
+  std::string combined_text(const BooleanExpression& expression, const RSystem& system,
+                            double size = 1) const;
 
   /// The primitives of this name: itself, or the sides of the shape. Throws `InvalidArgument` for
   /// none.

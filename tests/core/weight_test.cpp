@@ -225,6 +225,22 @@ TEST(Weight, OfAnySystemIsWrittenAndSaysHowSmoothItIs) {
          "mine_and(mine_and(mine_and(", "as its author made it");
 }
 
+// Of operations of higher degree too: else the function of the cube of side 0.01 is 1e-300 of that
+// of the unit cube, and its square no number at all.
+TEST(Weight, OfAnySystemIsTheSameInEveryUnitOfLength) {
+  for (const RSystem& system : {RSystem(RAlpha{0.5}), RSystem(Rp{4}), RSystem(RAlphaM{0, 1}),
+                                RSystem(RAlphaM{0, 16}), RSystem(RCm{3}), RSystem(RCm{16})})
+    for (const double size : {1e-3, 0.01, 100.0}) {
+      const auto omega = [&](double length) {
+        const Region cube = box({0, 0, 0}, {length, length, length}, 3).named("c");
+        return weight_of(cube, CombineRule(system)).function;
+      };
+      const double expected = size * value_at(omega(1), {0.3, 0.6, 0.55});
+      const double value = value_at(omega(size), {0.3 * size, 0.6 * size, 0.55 * size});
+      EXPECT_NEAR(value / expected, 1, 1e-9) << system << ", " << size;
+    }
+}
+
 TEST(Weight, PartsNameTheRuleOfEveryFactor) {
   const Weight ell =
       weight_of(box({0, 0}, {1, 1}).named("big") - box({0.5, 0.5}, {2, 2}).named("small"));
@@ -282,6 +298,21 @@ TEST(Weight, ScalesDivideTheSlopeOfPieces) {
   EXPECT_NEAR(evaluate(omega.function, {0.4, 0}, 1, 2).derivative(0, 1), 1, 1e-14);
   options.piece_scales = {{"missing", 4}};
   EXPECT_THROW(weight_of(box({0, 0}, {1, 1}).named("s"), options), InvalidArgument);
+}
+
+TEST(Weight, ShapingIsPartOfTheSmoothnessThatIsTold) {
+  const Region plate = box({0, 0}, {2, 1}).named("plate") - circle({1, 0.5}, 0.2).named("hole");
+  const RegionEvaluator evaluator(plate);
+  const auto told = [&](const WeightOptions& options) {
+    return weight(evaluator, bounding_box(evaluator), options).parts.back().smoothness;
+  };
+  WeightOptions saturated, capped;
+  saturated.saturation = Saturation{1.5, 1};
+  EXPECT_THAT(told(saturated), HasSubstr("zero 2 times differentiable"));  // w |w|^1.5
+  saturated.saturation = Saturation{2, 1};
+  EXPECT_EQ(told(saturated), told({}));
+  capped.cap = 0.1 + abs(x_coordinate() - 0.7);
+  EXPECT_THAT(told(capped), HasSubstr("no smoother than the cap"));
 }
 
 TEST(Weight, CornerScalesBoundItNearTheirCorner) {
