@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/boundary_part.hpp"
+#include "core/closed_along.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
 #include "quadrature/segment_rule.hpp"
@@ -49,6 +51,18 @@ Grid around_triangle(const ThinSet& triangle, const Grid& grid) {
   return Grid(box, cells);
 }
 
+// With a part of a cell more on every side.
+Grid enlarged(const Grid& grid) {
+  Box box = grid.box();
+  std::array<int, 3> cells{1, 1, 1};
+  for (int axis = 0; axis < grid.dimension(); ++axis) {
+    box.low[axis] -= 0.37 * grid.spacing(axis);
+    box.high[axis] += 0.63 * grid.spacing(axis);
+    cells[axis] = grid.cells(axis) + 1;
+  }
+  return Grid(box, cells);
+}
+
 // The surface is an interface, split where the set ends.
 DomainRule rule_on_surface(const ThinSet& set, const RegionEvaluator& region, const Grid& grid) {
   std::vector<LevelFunction> interfaces;
@@ -58,8 +72,16 @@ DomainRule rule_on_surface(const ThinSet& set, const RegionEvaluator& region, co
   options.inside_points = 1;
   options.cut_points = points;
   options.compare_orders = false;
-  return make_domain_rule(region, set.points.size() == 3 ? around_triangle(set, grid) : grid,
-                          options, interfaces);
+  const Grid cells = set.points.size() == 3 ? around_triangle(set, grid) : grid;
+  std::vector<int> shared;
+  for (int k = 0; k < region.primitive_count(); ++k)
+    if (same_surface(region.region().primitives()[k]->level, *set.surface, set.dimension))
+      shared.push_back(k);
+  if (shared.empty()) return make_domain_rule(region, cells, options, interfaces);
+  // On the boundary: what the closed domain holds of it, in cells of which none ends there.
+  const RegionEvaluator along(closed_along(region, shared, cells.box()));
+  return make_domain_rule(along, set.points.size() == 3 ? cells : enlarged(cells), options,
+                          interfaces);
 }
 
 }  // namespace

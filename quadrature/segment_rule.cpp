@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "core/closed_along.hpp"
 #include "core/error.hpp"
 #include "quadrature/gauss_legendre.hpp"
 
@@ -59,6 +61,34 @@ class InsideParts {
   std::vector<Interval> parts_;
 };
 
+// The primitives that vanish all along a line: of these only rounding is left, and bounds would be
+// halved everywhere.
+std::vector<int> vanishing_along(const RegionEvaluator& region, const Line& line, double length) {
+  constexpr int samples = 9;
+  std::vector<int> list;
+  for (int k = 0; k < region.primitive_count(); ++k) {
+    bool vanishes = true;
+    for (int i = 0; i < samples && vanishes; ++i) {
+      Point gradient;
+      const double value =
+          region.level(k).value_and_gradient(line.at((i + 0.5) / samples), gradient);
+      vanishes =
+          std::fabs(value) <= 1e-9 * length * std::hypot(gradient[0], gradient[1], gradient[2]);
+    }
+    if (vanishes) list.push_back(k);
+  }
+  return list;
+}
+
+Box around(const Point& from, const Point& to, int dimension, double length) {
+  Box box{dimension, from, from};
+  for (int axis = 0; axis < dimension; ++axis) {
+    box.low[axis] = std::min(from[axis], to[axis]) - length;
+    box.high[axis] = std::max(from[axis], to[axis]) + length;
+  }
+  return box;
+}
+
 }  // namespace
 
 VolumePoints make_segment_rule(const RegionEvaluator& region, const Point& from, const Point& to,
@@ -67,7 +97,11 @@ VolumePoints make_segment_rule(const RegionEvaluator& region, const Point& from,
   const Line line{from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}};
   const double length = std::hypot(line.direction[0], line.direction[1], line.direction[2]);
   const GaussRule& gauss = gauss_legendre(points);
-  const InsideParts inside(region, line);
+  const std::vector<int> vanishing = vanishing_along(region, line, length);
+  std::optional<RegionEvaluator> along;
+  if (!vanishing.empty())
+    along.emplace(closed_along(region, vanishing, around(from, to, region.dimension(), length)));
+  const InsideParts inside(along ? *along : region, line);
   VolumePoints rule;
   for (const Interval& part : inside.parts()) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(part.width() * length / spacing)));

@@ -41,6 +41,29 @@ TEST(SegmentRule, IsExactToTheDegreeOfGaussRulesAndNoFurther) {
             1e-5);
 }
 
+TEST(SegmentRule, CountsTheBoundaryToTheClosedRegion) {
+  const auto length = [](const Region& region, const Point& a, const Point& b) {
+    return integral(make_segment_rule(RegionEvaluator(region), a, b, 0.3, 3),
+                    [](const Point&) { return 1.0; });
+  };
+  // Along a slanted side, where values of its function are rounding of either sign; half of the
+  // segment goes on beyond the corner. The same side from outside.
+  const Point corner{0.1, 0.2}, end{1.1, 0.5};
+  const Region side = half_plane(corner, {-0.3, 1}).named("side");
+  const Region quarter = side & half_plane(corner, {1, 0.3}).named("other");
+  const Point before{corner[0] - 1, corner[1] - 0.3};
+  EXPECT_NEAR(length(quarter, corner, end), std::hypot(1, 0.3), 1e-14);
+  EXPECT_NEAR(length(quarter, before, end), std::hypot(1, 0.3), 1e-14);
+  const Region disk = circle({0.6, 0.35}, 0.2).named("disk");
+  EXPECT_NEAR(length(disk - side, before, end), 0.4, 1e-14);
+  // On two shapes that share the line; where it is all that both have in common it is no solid.
+  EXPECT_NEAR(length((disk & side) | (disk - side), before, end), 0.4, 1e-14);
+  // An edge of a cube in space, and off it by more than rounding.
+  const Region cube = box({0, 0, 0}, {1, 1, 1}, 3).named("cube");
+  EXPECT_NEAR(length(cube, {-1, 1, 1}, {3, 1, 1}), 1, 1e-14);
+  EXPECT_EQ(length(cube, {-1, 1, 1 + 1e-7}, {3, 1, 1 + 1e-7}), 0);
+}
+
 TEST(SegmentRule, IsEmptyOutsideTheRegion) {
   const RegionEvaluator ball(sphere({5, 5, 5}, 1));
   EXPECT_EQ(make_segment_rule(ball, from, to, 0.3, 3).size(), 0);
