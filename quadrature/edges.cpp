@@ -63,10 +63,45 @@ class EdgeTracer {
     if (depth < contact_depth) {
       for (const Box& half : bisect(box, box.longest_axis())) visit(half, depth + 1);
     } else if (is_contact(box)) {
-      ++rule_.report.contact_boxes;
+      follow_contact(box);
     } else {
       add_uncertified(box);
     }
+  }
+
+  // Gradients that are parallel in one point, as where two edges cross, leave a few boxes around it
+  // on each level, and graphs in those beside them. Along a curve of contact boxes become more with
+  // each level: there surfaces are taken to touch without forming an edge.
+  void follow_contact(const Box& start) {
+    constexpr int further = 42;
+    constexpr std::size_t most = 100;
+    std::vector<Box> now{start}, next;
+    std::vector<std::pair<Box, int>> graphs;
+    for (int level = 0; level < further && !now.empty(); ++level) {
+      next.clear();
+      for (const Box& box : now)
+        for (const Box& half : bisect(box, box.longest_axis())) {
+          const FunctionBounds a = functions_[0]->bounds(half), b = functions_[1]->bounds(half);
+          if (a.value.excludes_zero() || b.value.excludes_zero()) continue;
+          const int axis = graph_axis(a, b);
+          if (axis >= 0)
+            graphs.emplace_back(half, axis);
+          else
+            next.push_back(half);
+        }
+      std::swap(now, next);
+      if (now.size() > most) {
+        ++rule_.report.contact_boxes;
+        return;
+      }
+    }
+    around_point_ = true;
+    for (const auto& [box, axis] : graphs) {
+      axis_ = axis;
+      trace_graph(box);
+    }
+    around_point_ = false;
+    for (const Box& box : now) add_uncertified(box);
   }
 
   void add_uncertified(const Box& box) {
@@ -106,9 +141,13 @@ class EdgeTracer {
         Box face = box;
         face.low[across] = face.high[across] = side;
         if (add_stops(functions_, face, axes, stops)) continue;
-        ++rule_.report.contact_boxes;
-        // Next to a curve of contact, zeros on the side differ by less than rounding tells.
-        if (is_contact(box)) return;
+        // Next to a contact, zeros on the side differ by less than rounding tells.
+        const bool contact = is_contact(box);
+        if (contact && around_point_)
+          add_uncertified(box);
+        else
+          ++rule_.report.contact_boxes;
+        if (contact) return;
       }
     }
     if (stops.size() < 2) return;
@@ -214,6 +253,8 @@ class EdgeTracer {
   PrimitivePair pair_{};
   std::array<const LevelFunction*, 2> functions_{};
   int axis_ = 0;
+  // The surfaces touch in a point of the box, not along a curve.
+  bool around_point_ = false;
 };
 
 template <class Include>
