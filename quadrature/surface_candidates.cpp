@@ -81,7 +81,9 @@ TruthTable SurfaceCandidates::make_table(const BooleanExpression& expression) {
   for (Truth& sign : known)
     if (sign == Truth::unknown) sign = Truth::no;
   for (const int k : primitives) known[k] = Truth::unknown;
-  TruthTable table(with_known_signs(expression, known), primitives, known);
+  constexpr std::size_t few = 16;
+  TruthTable table(known.size() > few ? with_known_signs(expression, known) : expression,
+                   primitives, known);
   for (int v = 0; v < table.variable_count();) {
     if (table.depends_on(v)) {
       ++v;

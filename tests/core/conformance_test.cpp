@@ -105,6 +105,10 @@ void expect_conformance(const Row& row, const Evaluator& evaluator, const Argume
     if (evaluator.shares_rounding) share_conditions(expected, shape.variables);
     for (std::size_t k = 0; k < jets[i].size(); ++k) {
       const int degree = jet_degree(shape.variables, static_cast<int>(k));
+      // Second derivatives of slots are expressions, which may be zero (of a quotient along its
+      // numerator); value and slopes tell of the domain.
+      if (evaluator.shares_rounding && degree == 2 && jets[i][k] == 0 && !truths[i].is_defined)
+        continue;
       const std::string wrong_here =
           objection(row.operation, truths[i], expected[k], degree, jets[i][k]);
       if (wrong_here.empty() || ++wrong > 3) continue;
