@@ -1,8 +1,11 @@
 #include "problems/custom_physics.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 
 #include "core/error.hpp"
+#include "core/r_functions.hpp"
 #include "problems/reserved_names.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/solution_symbols.hpp"
@@ -64,8 +67,49 @@ std::vector<std::string> unknown_names(const DocumentNode& root, ValueReader& va
   return names.empty() ? std::vector<std::string>{"u"} : names;
 }
 
+void define_own_coefficients(const DocumentNode& map, ValueReader& values,
+                             const std::vector<Material>& materials,
+                             const std::vector<const DocumentNode*>& of_materials,
+                             const std::vector<std::string>& unknowns) {
+  struct Own {
+    std::optional<Field> standard;
+    std::vector<std::pair<Region, Field>> parts;
+    Place place;
+  };
+  std::map<std::string, Own> own;
+  const auto read = [&](const DocumentNode& owner, const auto& keep) {
+    const DocumentNode* list = values.find(owner, "coefficients");
+    if (!list) return;
+    for (const DocumentNode::Entry& entry : list->entries) {
+      Own& coefficient = own.try_emplace(entry.key, Own{{}, {}, entry.key_place}).first->second;
+      if (const std::optional<Field> value = values.field(entry.value)) keep(coefficient, *value);
+    }
+  };
+  read(map, [](Own& coefficient, const Field& value) { coefficient.standard = value; });
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    read(*of_materials[i], [&](Own& coefficient, const Field& value) {
+      if (materials[i].region)
+        coefficient.parts.emplace_back(*materials[i].region, value);
+      else
+        coefficient.standard = value;
+    });
+  for (const auto& [name, coefficient] : own) {
+    std::string objection = objection_to_name(name);
+    if (std::ranges::find(unknowns, name) != unknowns.end() || values.scope.has_name(name) ||
+        values.scope.has_function(name))
+      objection = "the name '" + name + "' is already taken";
+    if (!objection.empty()) values.mistakes.add(objection, coefficient.place);
+    // Not a number where nothing is given, which assembly reports with the place.
+    Field value = coefficient.standard.value_or(std::numeric_limits<double>::quiet_NaN());
+    for (const auto& [region, inside] : coefficient.parts)
+      value = select(step(implicit(region, RAlpha{1})), inside, value);
+    values.scope.define(name, value);
+  }
+}
+
 CustomPhysics read_custom(const DocumentNode& map, ValueReader& values,
-                          const std::vector<std::string>& unknowns) {
+                          const std::vector<std::string>& unknowns,
+                          std::map<std::string, PhysicalCoefficient>& coefficients) {
   CustomPhysics custom;
   custom.place = map.place;
   const auto read = [&](const DocumentNode& node) {
@@ -88,6 +132,15 @@ CustomPhysics read_custom(const DocumentNode& map, ValueReader& values,
       if (values.fits(item)) read(item);
     if (residuals->items.empty())
       values.mistakes.add("expected a residual, or several", residuals->place);
+  }
+  if (const DocumentNode* mass = values.find(map, "mass")) {
+    if (custom.kind != Kind::energy)
+      values.mistakes.add("modes need an energy beside their mass", mass->place);
+    read(*mass);
+    coefficients["mass"] = {{custom.formulas.back()}, false, mass->place};
+    custom.formulas.pop_back();
+    if (unknowns.size() > 1)
+      values.mistakes.add("modes of several unknowns are not supported yet", mass->place);
   }
   return custom;
 }

@@ -98,6 +98,13 @@ Eigen::MatrixXd turned(const Eigen::MatrixXd& modes, Moments& moments) {
   return modes * turn;
 }
 
+int derivative_order(const Equations& equations) {
+  int order = 1;
+  for (const Contribution& part : equations.terms().stiffness)
+    for (const Slot& slot : part.energy.slots()) order = std::max(order, degree(slot.derivative));
+  return order;
+}
+
 }  // namespace
 
 std::vector<double> EigenResult::frequencies() const {
@@ -114,6 +121,7 @@ EigenResult find_modes(const Equations& equations, const Study& study, const Box
   options.count = study.count;
   options.shift = study.shift;
   options.dimension = box.dimension;
+  options.order = 2 * derivative_order(equations);
   options.elimination_order = equations.steady().elimination_order;
   const EigenPairs found = eigen_pairs(equations.stiffness(), equations.mass(), options);
 

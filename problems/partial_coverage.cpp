@@ -134,6 +134,8 @@ void check_materials(const Problem& problem, const DomainRule& rule) {
                      materials[i].place, {{"the other is here", materials[j].place}});
   }
   const PhysicsType type = problem.physics.type;
+  if (type == PhysicsType::custom)
+    return mistakes.throw_if_any();  // what is missing, assembly tells
   const std::string key = type == PhysicsType::heat       ? "conductivity"
                           : type == PhysicsType::membrane ? "tension"
                           : type == PhysicsType::torsion  ? "modulus"

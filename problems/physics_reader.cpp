@@ -25,11 +25,8 @@ class PhysicsReader {
     const DocumentNode* type = values_.find(map, "type");
     if (type && type->text == "custom") {
       physics_.type = PhysicsType::custom;
-      physics_.custom = read_custom(map, values_, physics_.unknowns);
-      if (const DocumentNode* materials = values_.find(map, "materials"))
-        values_.mistakes.add(
-            "custom physics have no materials: choose in the formula, as in if(step(x), 2, 1)",
-            materials->place);
+      read_own_coefficients(map);
+      physics_.custom = read_custom(map, values_, physics_.unknowns, physics_.coefficients);
       return;
     }
     if (type) physics_.type = type_of(type->text);
@@ -43,6 +40,21 @@ class PhysicsReader {
   }
 
  private:
+  // Coefficients of custom physics have names of the user's own, in the formulas and elsewhere.
+  void read_own_coefficients(const DocumentNode& map) {
+    std::vector<const DocumentNode*> of_materials;
+    if (const DocumentNode* materials = values_.find(map, "materials")) {
+      for (const DocumentNode& item : materials->items) {
+        if (!values_.fits(item)) continue;
+        const std::size_t before = physics_.materials.size();
+        read_material(item);
+        if (physics_.materials.size() > before) of_materials.push_back(&item);
+      }
+      check_materials(*materials);
+    }
+    define_own_coefficients(map, values_, physics_.materials, of_materials, physics_.unknowns);
+  }
+
   static PhysicsType type_of(std::string_view word) {
     if (word == "heat") return PhysicsType::heat;
     if (word == "torsion") return PhysicsType::torsion;

@@ -92,7 +92,8 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
     if (irregularity.kind == Irregularity::Kind::dangling || has_weight)
       log.line("note: {}", describe(irregularity, problem.region()));
   if (solution.mean_set_to_zero)
-    log.line("note: nothing fixes the level of u; its mean is set to zero");
+    log.line("note: nothing fixes {}; its mean is set to zero",
+             problem.problem().physics.custom ? "a level or a rigid motion" : "the level of u");
   std::string cells;
   for (int axis = 0; axis < grid.dimension(); ++axis)
     cells += fmt::format("{}{}", axis > 0 ? " x " : "", grid.cells(axis));

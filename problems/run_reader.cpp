@@ -106,10 +106,12 @@ Study read_study(const DocumentNode& root, ValueReader& values) {
   study.type = Study::Type::eigen;
   const DocumentNode* physics = values.find(root, "physics");
   const DocumentNode* kind = physics ? values.find(*physics, "type") : nullptr;
-  if (kind && (kind->text == "torsion" || kind->text == "custom"))
+  if (kind && kind->text == "torsion")
     values.mistakes.add(
-        kind->text + " has no mass, so that it has no modes; expected: poisson, heat, membrane",
+        "torsion has no mass, so that it has no modes; expected: poisson, heat, membrane",
         kind->place);
+  if (kind && kind->text == "custom" && !physics->find("mass"))
+    values.mistakes.add("modes of custom physics need a `mass`", kind->place);
   if (const DocumentNode* count = values.find(*map, "count"))
     study.count = values.integer(*count).value_or(study.count);
   if (const DocumentNode* shift = values.find(*map, "shift"))
@@ -130,6 +132,19 @@ void read_polynomials(const DocumentNode& basis, ValueReader& values, Discretiza
     }
   if (const DocumentNode* degree = values.find(basis, "degree"))
     result.total_degree = degree->text != "maximal";
+}
+
+void check_continuation(const DocumentNode& root, const DocumentNode& map, ValueReader& values) {
+  if (const DocumentNode* numbers = values.find(map, "values")) values.numbers(*numbers);
+  const DocumentNode* name = values.find(map, "parameter");
+  if (!name) return;
+  std::vector<std::string> known;
+  if (const DocumentNode* parameters = root.find("parameters"))
+    for (const DocumentNode::Entry& entry : parameters->entries) known.push_back(entry.key);
+  if (std::ranges::find(known, name->text) == known.end())
+    values.mistakes.add(
+        fmt::format("unknown parameter '{}'{}", name->text, did_you_mean(name->text, known)),
+        name->place);
 }
 
 }  // namespace
@@ -179,6 +194,8 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
       result.tolerance = values.number(*tolerance).value_or(result.tolerance);
     if (const DocumentNode* steps = values.find(*solver, "load_steps"))
       result.load_steps = values.integer(*steps).value_or(result.load_steps);
+    if (const DocumentNode* path = values.find(*solver, "continuation"))
+      check_continuation(root, *path, values);
     if (const DocumentNode* threads = values.find(*solver, "threads"))
       result.threads = values.integer(*threads);
   }
@@ -211,12 +228,25 @@ void read_verification(const DocumentNode& root, ValueReader& values, Problem& p
                           exact->place);
   }
   const auto check_quantity = [&](const DocumentNode& node) {
-    constexpr std::array<std::string_view, 18> parts = {
-        "probes",          "errors",         "measures",    "energy",
-        "unknowns",        "cells",          "seconds",     "eigenvalues",
-        "frequencies",     "factors",        "convergence", "boundary_residual",
-        "estimated_error", "peak_memory_mb", "trust",       "relations",
-        "newton",          "modes"};
+    constexpr std::array<std::string_view, 19> parts = {"probes",
+                                                        "errors",
+                                                        "measures",
+                                                        "energy",
+                                                        "unknowns",
+                                                        "cells",
+                                                        "seconds",
+                                                        "eigenvalues",
+                                                        "frequencies",
+                                                        "factors",
+                                                        "convergence",
+                                                        "boundary_residual",
+                                                        "estimated_error",
+                                                        "peak_memory_mb",
+                                                        "trust",
+                                                        "relations",
+                                                        "newton",
+                                                        "modes",
+                                                        "angular_frequencies"};
     const std::string first = node.text.substr(0, node.text.find_first_of(".["));
     const std::vector<std::string> known(parts.begin(), parts.end());
     if (std::ranges::find(known, first) == known.end())

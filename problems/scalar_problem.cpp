@@ -112,6 +112,9 @@ bool ScalarProblem::has_global_functions() const {
 void ScalarProblem::check_equations() const {
   using Method = Discretization::Method;
   const Method method = problem_.discretization.method;
+  if (problem_.physics.custom && problem_.physics.coefficients.contains("mass") &&
+      !has_global_functions() && method == Method::ritz)
+    return;  // whether its energy is quadratic, its forms tell
   if (problem_.physics.custom || depend_on_solution(coefficients_) ||
       !coefficients_.advection.empty() || method == Method::least_squares ||
       method == Method::collocation)

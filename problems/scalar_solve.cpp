@@ -9,13 +9,17 @@
 #include "basis/tensor_polynomials.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
+#include "problems/continuation.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/assembly.hpp"
 #include "solvers/collocation.hpp"
 #include "solvers/energy.hpp"
+#include "solvers/extension.hpp"
+#include "solvers/free_functions.hpp"
 #include "solvers/integrate.hpp"
+#include "solvers/kernel.hpp"
 #include "solvers/solution.hpp"
 
 namespace rfm {
@@ -54,6 +58,66 @@ void require_values(const std::vector<DirichletPlan>& plans, const ScalarSolutio
         "values on the boundary, of up to {:.3g}, are missed by up to {:.3g} by the structure: the "
         "functions of its pieces are too different in size; enforce them weakly (enforce: weak)",
         largest, solution.boundary_residual));
+}
+
+// A form of an eigenproblem.
+Contribution quadratic(const Form& form, const Problem& problem) {
+  if (!form.is_linear())
+    throw ProblemFileErrors({Mistake{"modes need an energy and a mass that are quadratic",
+                                     problem.physics.custom->place}});
+  return form.linear();
+}
+
+// What the equations leave free, as the level of a pressure or rigid motions, is pinned somehow.
+LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctions& candidates,
+                                   const std::vector<std::string>& unknowns,
+                                   const LinearSolverOptions& options) {
+  const Kernel kernel(system, candidates.coefficients());
+  LinearSolution solution = rfm::solve(kernel.pinned(system), options);
+  // Quadrature keeps the balance of loads to its own error, which is that of the solution.
+  const double missing = kernel.incompatibility(system, solution.coefficients);
+  if (!(missing < 1e-6))
+    throw ComputationError(
+        fmt::format("no steady solution exists: nothing fixes {}, and the loads on it do not "
+                    "balance (by {:.1e} "
+                    "of all loads)",
+                    candidates.text(kernel.weights(), unknowns), missing));
+  return solution;
+}
+
+bool wants_extension(const Problem& problem) {
+  const DocumentNode* discretization = problem.document.find("discretization");
+  const DocumentNode* basis = discretization ? discretization->find("basis") : nullptr;
+  const DocumentNode* extension = basis ? basis->find("extension") : nullptr;
+  return extension && extension->text == "true";
+}
+
+LinearSystem tangent_at(const std::vector<Form>& equations, const std::vector<Field>& fields,
+                        const std::vector<Structure>& structures,
+                        const std::vector<TensorProductSpace>& functions, const DomainRule& rule) {
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  std::vector<Contribution> parts;
+  for (const Form& form : equations) parts.push_back(form.linearized(fields));
+  return assemble(changes, functions, parts, rule);
+}
+
+// The coefficients at a stop of a continuation, from those at the one before.
+Eigen::VectorXd solved_stop(const ContinuationStop& stop,
+                            const std::vector<TensorProductSpace>& functions,
+                            const DomainRule& rule, const LinearSolverOptions& linear,
+                            const NewtonOptions& options,
+                            const std::optional<Eigen::VectorXd>& start) {
+  const ScalarProblem problem(stop.problem);
+  if (std::abs(problem.rule(rule.grid()).measure() - rule.measure()) > 1e-9 * rule.measure())
+    throw ComputationError(stop.name + ": continuation needs the same domain at all values");
+  try {
+    return solve_newton(problem.structures(rule.grid()), functions,
+                        problem_forms(problem, rule.grid()), rule, linear, options, start)
+        .linear.coefficients;
+  } catch (const ComputationError& error) {
+    throw ComputationError("at " + stop.name + ": " + error.what());
+  }
 }
 
 PolynomialFamily polynomial_family(const Discretization& discretization) {
@@ -174,9 +238,12 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   } else {
     parts = contributions(grid);
   }
-  if (problem_.discretization.method == Discretization::Method::collocation || parts.empty())
+  if (problem_.discretization.method == Discretization::Method::collocation || parts.empty()) {
+    if (wants_extension(problem_))
+      throw ComputationError(
+          "extended splines serve linear problems by Ritz's and Galerkin's method");
     solve_forms(equations, functions, solution);
-  else
+  } else
     system = solve_linear(parts, functions, free_constant, solution);
   if (!(solution.linear.relative_residual < 1e-6))
     throw ComputationError(
@@ -184,8 +251,19 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
                     solution.linear.relative_residual));
 
   Stopwatch results;
-  const std::vector<Field> fields =
-      solution_fields(structures(grid), functions, solution.linear.coefficients);
+  const std::vector<Structure> structures = this->structures(grid);
+  std::vector<Field> fields = solution_fields(structures, functions, solution.linear.coefficients);
+  const FreeFunctions candidates(structures, functions);
+  if (!equations.empty() && !free_constant && candidates.coefficients().cols() > 0 &&
+      problem_.discretization.method != Discretization::Method::collocation) {
+    // Without what the equations, at the solution, do not see.
+    const Kernel kernel(parts.empty()
+                            ? tangent_at(equations, fields, structures, functions, solution.rule)
+                            : std::move(system),
+                        candidates.coefficients());
+    solution.mean_set_to_zero = kernel.size() > 0;
+    fields = candidates.without(kernel.weights(), std::move(fields), solution.rule);
+  }
   solution.results.dimension = problem_.dimension;
   for (int c = 0; c < unknown_count(); ++c)
     solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
@@ -229,7 +307,18 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
   if (free_constant) pin_one(system);
   solution.seconds.assembly = assembly.seconds();
   Stopwatch solve;
-  solution.linear = rfm::solve(system, linear_options());
+  if (wants_extension(problem_)) {
+    const SplineExtension extension(functions, solution.rule);
+    solution.linear = rfm::solve(extension.extended(system), linear_options());
+    solution.linear.coefficients = extension.matrix * solution.linear.coefficients;
+    solution.seconds.solve = solve.seconds();
+    return system;
+  }
+  solution.linear =
+      free_constant || !uses_forms(*this)
+          ? rfm::solve(system, linear_options())
+          : solve_beside_kernel(system, FreeFunctions(structures(solution.rule.grid()), functions),
+                                problem_.physics.unknowns, linear_options());
   if (function_count() > unknown_count())
     solution.undetermined = undetermined_part(system, functions, solution);
   solution.seconds.solve = solve.seconds();
@@ -275,10 +364,15 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   const bool at_points = problem_.discretization.method == Discretization::Method::collocation;
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
+  std::optional<Eigen::VectorXd> start;
+  for (const ContinuationStop& stop : continuation_stops(problem_)) {
+    if (at_points) throw ComputationError("collocation has no continuation");
+    start = solved_stop(stop, functions, solution.rule, linear_options(), options, start);
+  }
   NewtonSolution newton = at_points ? solve_collocation(structures, functions, equations,
                                                         collocation_rule(grid), options)
                                     : solve_newton(structures, functions, equations, solution.rule,
-                                                   linear_options(), options);
+                                                   linear_options(), options, start);
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);
@@ -288,8 +382,16 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
 Equations ScalarProblem::equations(const DomainRule& rule) const {
   const bool eigen = problem_.study.type == Study::Type::eigen;
   EquationTerms terms;
-  if (!problem_.physics.custom) terms.stiffness = contributions(rule.grid());
-  if (eigen) terms.mass = {mass_energy(coefficients_)};
+  if (problem_.physics.custom) {
+    const Problem& file = problem_;
+    for (const Form& form : problem_forms(*this, rule.grid()))
+      terms.stiffness.push_back(quadratic(form, file));
+    if (eigen)
+      terms.mass = {quadratic(Form::energy(file.physics.coefficients.at("mass").entries[0]), file)};
+  } else {
+    terms.stiffness = contributions(rule.grid());
+    if (eigen) terms.mass = {mass_energy(coefficients_)};
+  }
   std::vector<Structure> structures;
   for (const Structure& structure : this->structures(rule.grid()))
     structures.push_back(eigen ? homogeneous_part(structure) : structure);
@@ -338,7 +440,8 @@ void ScalarProblem::solve_eigen(const Equations& equations, ScalarSolution& solu
   const EigenResult& eigen = solution.eigen.emplace(find_modes(equations, problem_.study, bounds_));
   solution.results.unknowns = {{problem_.physics.unknowns[0], eigen.modes[0]}};
   solution.results.modes = eigen.modes;
-  solution.results.flux = conductive_flux(coefficients_, eigen.modes[0], problem_.dimension);
+  if (!problem_.physics.custom)
+    solution.results.flux = conductive_flux(coefficients_, eigen.modes[0], problem_.dimension);
   solution.energy = 0.5 * eigen.values[0];  // of a mode of unit mass
   solution.linear.relative_residual = std::ranges::max(eigen.residuals);
   for (const Field& mode : eigen.modes)

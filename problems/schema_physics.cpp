@@ -105,6 +105,14 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"physics.weak", text_value, alternative,
      "A weak form, zero for all test functions: a formula with u, dx(u), test(u), dx(test(u)), ...",
      Status::works, any_range, "custom"},
+    {"physics.mass", text_value, optional,
+     "Of modes, beside an energy: the energy of motion, as 0.5*u^2; eigenvalues lambda are "
+     "stationary values of the quotient of both.",
+     Status::works, any_range, "custom"},
+    {"physics.coefficients", named_map_value, optional,
+     "Formulas by name, for the equation and for probes; materials may have values of their own.",
+     Status::works, any_range, "custom"},
+    {"physics.coefficients.*", formula, required, "The coefficient."},
     {"physics.boundary", list_value, optional, "Integrals over parts of the boundary.",
      Status::works, any_range, "custom"},
     {"physics.boundary[]", map_value, required, "One integral."},
@@ -119,14 +127,18 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"physics.materials[]", map_value, required, "One material."},
     {"physics.materials[].in", shapes_value, required,
      "A shape, a Boolean expression of shapes, or `rest`."},
+    {"physics.materials[].coefficients", named_map_value, optional,
+     "Coefficients of custom physics that differ here."},
+    {"physics.materials[].coefficients.*", formula, required, "The coefficient."},
 
     {"study", map_value, standard("{}"), "What is asked of the equation."},
     {"study.type", word_value, standard("steady"), "The kind of study."},
     {"study.type=steady", word_value, optional, "The steady solution."},
     {"study.type=eigen", word_value, optional,
      "Eigenvalues and modes: lambda in -div(conductivity grad u) + reaction u = lambda m u, m "
-     "being 1 "
-     "(poisson), density heat_capacity (heat) or density (membrane)."},
+     "being 1 (poisson), density heat_capacity (heat) or density (membrane); of custom physics "
+     "with "
+     "`mass`."},
     {"study.type=buckling", word_value, optional, "Critical load factors.", later},
     {"study.type=transient", word_value, optional, "The course in time.", later},
     {"study.type=harmonic", word_value, optional, "The response to harmonic loads.", later},

@@ -51,6 +51,11 @@ constexpr auto rows = std::to_array<SchemaRow>({
      at_least(1), "bspline"},
     {"discretization.basis.size", number_value, Presence{Presence::Kind::optional, {}, "cells"},
      "The side of a cell, instead of cells.", works, positive, "bspline"},
+    {"discretization.basis.extension", boolean_value, standard("false"),
+     "Whether splines without a whole cell in the domain are attached to others, so that the "
+     "condition "
+     "does not depend on how the boundary cuts cells. For linear problems.",
+     works, any_range, "bspline"},
     {"discretization.basis.degrees", named_map_value, optional,
      "Degrees of single unknowns that differ from that of the others, by name.", works, any_range,
      "bspline"},
@@ -117,6 +122,12 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"discretization.solver.load_steps", integer_value, standard("1"),
      "Steps in which the residual of a nonlinear problem is brought down from the start.", works,
      at_least(1)},
+    {"discretization.solver.continuation", map_value, optional,
+     "A parameter of the file that takes other values on the way to its own: Newton's method "
+     "starts at "
+     "the solution of the value before."},
+    {"discretization.solver.continuation.parameter", name_value, required, "Its name."},
+    {"discretization.solver.continuation.values", numbers_value, required, "The values in turn."},
     {"discretization.solver.threads", integer_value, optional,
      "The number of threads; without it, all cores.", works, at_least(1)},
 

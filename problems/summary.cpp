@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "problems/distance_quality.hpp"
 #include "problems/worst_cells.hpp"
@@ -73,6 +74,8 @@ void add_corners(ordered_json& measures, const ScalarProblem& problem) {
 void add_eigenvalues(ordered_json& summary, const EigenResult& eigen, const RunReport& report) {
   summary["eigenvalues"] = eigen.values;
   summary["frequencies"] = eigen.frequencies();
+  for (const double frequency : eigen.frequencies())
+    summary["angular_frequencies"].push_back(2 * std::numbers::pi * frequency);
   summary["modes"] = {
       {"residuals", eigen.residuals}, {"present", eigen.present}, {"below", eigen.upper}};
   if (report.eigenvalue_error)
