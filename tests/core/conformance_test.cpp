@@ -44,6 +44,7 @@ long double allowance(Operation operation, int degree) {
     case Operation::power:
     case Operation::rp_equivalence:
       return 8 * (1 << beyond);
+    case Operation::asin:
     case Operation::atan:
     case Operation::tanh:
     case Operation::asinh:
