@@ -131,6 +131,13 @@ struct Condition {
   Place place;
 };
 
+/// Values of a parameter of the file, as written, that a nonlinear problem is solved for on the way
+/// to its own.
+struct Continuation {
+  std::string parameter;
+  std::vector<std::string> values;
+};
+
 struct Discretization {
   /// Splines on the grid, or functions that live on the whole of it: then the grid is one of
   /// quadrature only.
@@ -143,6 +150,8 @@ struct Discretization {
   /// One number (along the longest side) or one per dimension; empty where `cell_size` is given.
   std::vector<int> cells;
   std::optional<double> cell_size;
+  /// Splines cut thinly are attached to inner ones (basis/web_extension.hpp).
+  bool extension = false;
   std::optional<Box> grid;
   /// Gauss points in each direction of a cell, where the file chooses them.
   std::optional<int> quadrature_order;
@@ -154,6 +163,7 @@ struct Discretization {
   double tolerance = 1e-12;
   /// Steps in which Newton's method brings the residual down (solvers/newton.hpp).
   int load_steps = 1;
+  std::optional<Continuation> continuation;
   std::optional<int> threads;
 };
 

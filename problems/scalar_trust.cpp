@@ -1,0 +1,121 @@
+// What a solution is asked before it is believed: whether there is one, whether it is the only one,
+// and whether its values on the boundary are those prescribed.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/error.hpp"
+#include "core/tape.hpp"
+#include "problems/scalar_problem.hpp"
+#include "solvers/energy.hpp"
+#include "solvers/integrate.hpp"
+#include "solvers/solution.hpp"
+
+namespace rfm {
+
+bool ScalarProblem::fixed_up_to_constant() const {
+  if (problem_.physics.custom || depend_on_solution(coefficients_) ||
+      !coefficients_.advection.empty())
+    return false;
+  if (!coefficients_.reaction.is_constant(0) || !inner_.values.empty()) return false;
+  return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
+    if (condition.kind == Condition::Kind::flux) return true;
+    if (condition.kind == Condition::Kind::value) return false;
+    return condition.data[0].is_constant(0);  // no transfer, or a = 0
+  });
+}
+
+void ScalarProblem::check_compatible(const DomainRule& rule) const {
+  // ∫ f + ∫ q must vanish: the sum of all loads against the constant 1.
+  double resultant = integrate(coefficients_.source, rule);
+  double size = integrate(abs(coefficients_.source), rule);
+  for (const PieceCondition& condition : conditions_)
+    for (const Contribution& natural : natural_energy(condition, coefficients_))
+      for (const auto& load : natural.energy.load()) {
+        const IntegrationPlace place{Contribution::Place::boundary, natural.numbers};
+        const Coefficient part =
+            natural.where ? load.coefficient * Coefficient(step(*natural.where)) : load.coefficient;
+        const double amount = integrate(part, rule, place);
+        resultant += amount;
+        size += std::fabs(amount);
+      }
+  if (std::fabs(resultant) > 1e-8 * size)
+    throw ComputationError(fmt::format(
+        "no steady solution exists: nothing fixes the level of u, and sources and fluxes do not "
+        "balance (their resultant is {:.6g})",
+        resultant));
+}
+
+// The regularised system is answered also where it is singular. What it then gives to a right-hand
+// side of the size of the regularisation, chosen at random, is undetermined: nothing where two
+// functions merely describe the same u, but a function of the size of u where a condition is
+// missing.
+double ScalarProblem::undetermined_part(const LinearSystem& system,
+                                        const std::vector<TensorProductSpace>& functions,
+                                        const ScalarSolution& solution) const {
+  const LinearSolverOptions options = linear_options();
+  const Eigen::VectorXd scale = system.matrix.diagonal().cwiseAbs().cwiseSqrt();
+  const Eigen::VectorXd scaled = scale.cwiseProduct(solution.linear.coefficients);
+  std::mt19937 engine(1);
+  LinearSystem disturbed = system;
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    disturbed.right_hand_side[i] = scale[i] * (static_cast<double>(engine()) / 0x80000000u - 1);
+  disturbed.right_hand_side *=
+      options.regularization * std::sqrt(scaled.squaredNorm() / static_cast<double>(scale.size()));
+  const LinearSolution answer = rfm::solve(disturbed, options);
+  const std::vector<Structure> structures = this->structures(solution.rule.grid());
+  std::vector<Structure> homogeneous;
+  for (const Structure& structure : structures) homogeneous.push_back(homogeneous_part(structure));
+  const std::vector<Field> open = solution_fields(homogeneous, functions, answer.coefficients),
+                           u = solution_fields(structures, functions, solution.linear.coefficients);
+  double part = 0, whole = 0;
+  for (std::size_t c = 0; c < u.size(); ++c) {
+    part = std::hypot(part, norms(open[c], solution.rule).l2);
+    whole = std::hypot(whole, norms(u[c], solution.rule).l2);
+  }
+  return whole > 0 ? part / whole : part;
+}
+
+double ScalarProblem::boundary_residual(const ScalarSolution& solution) const {
+  std::vector<Field> fields;
+  for (const ScalarResults::Unknown& unknown : solution.results.unknowns)
+    fields.push_back(unknown.field);
+  return boundary_residual(fields, solution.rule);
+}
+
+double ScalarProblem::boundary_residual(const std::vector<Field>& fields,
+                                        const DomainRule& rule) const {
+  // Pieces that one formula holds on are looked at together: a polygon has hundreds.
+  struct Group {
+    const PieceCondition* first;
+    std::vector<int> primitives;
+  };
+  std::vector<Group> groups;
+  for (const PieceCondition& condition : conditions_) {
+    if (condition.kind != Condition::Kind::value) continue;
+    const auto known = std::ranges::find_if(groups, [&](const Group& group) {
+      return !condition.where && !group.first->where &&
+             group.first->component == condition.component &&
+             same_expression(group.first->data[0], condition.data[0]);
+    });
+    if (known != groups.end())
+      known->primitives.push_back(condition.primitive);
+    else
+      groups.push_back({&condition, {condition.primitive}});
+  }
+  const bool eigen = problem_.study.type == Study::Type::eigen;
+  double largest = 0;
+  for (const auto& [first, primitives] : groups) {
+    Field residual = fields[first->component];
+    if (!eigen) residual = residual - first->data[0];
+    if (first->where) residual = select(step(*first->where), residual, 0.0);
+    largest =
+        std::max(largest, maximum(residual, rule, {Contribution::Place::boundary, primitives}));
+  }
+  return largest;
+}
+
+}  // namespace rfm
