@@ -17,7 +17,7 @@ struct QuadratureOptions {
   /// Gauss points per one-dimensional piece in cut cells and on boundaries: p + 3.
   int cut_points = 6;
   /// Whether the report says how far volume and boundary are from those of a rule of lower order:
-  /// an upper bound of their errors in practice, at half of the cost of cut cells again.
+  /// an upper bound of their errors in practice, at a fifth to a half of their cost again.
   bool compare_orders = true;
   /// Whether cut cells keep at most cut_points^d of their points, with weights that are exact for
   /// polynomials of total degree `compressed_degree` (see `compress`). Cells that interfaces,
