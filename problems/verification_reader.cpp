@@ -6,7 +6,6 @@
 #include <array>
 
 #include "core/nearest_name.hpp"
-#include "problems/picture_view_reader.hpp"
 #include "problems/result_scope.hpp"
 
 namespace rfm {
