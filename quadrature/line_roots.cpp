@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quadrature/root_clusters.hpp"
 #include "quadrature/root_isolation.hpp"
 
 namespace rfm {
@@ -123,6 +124,7 @@ LineRoots find_line_roots(const ActiveSet& active, SurfaceSigns parallel, const 
     roots.positions[place] = crossing.position;
     roots.surfaces[place] = surface;
   }
+  if (roots.count > 1) form_clusters(active, line, roots);
   return roots;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrature/active_set.hpp"
+#include "quadrature/line_neighbours.hpp"
 
 namespace rfm {
 
@@ -24,6 +25,8 @@ struct LineSegment {
   double high = 0;
   /// At `low` and at `high`.
   std::array<EndSigns, 2> ends{};
+  /// Tells whether surfaces that meet the line in one place are one surface; if null, they are.
+  const LineNeighbours* neighbours = nullptr;
 
   Point at(double t) const {
     Point point = through;
@@ -31,6 +34,9 @@ struct LineSegment {
     return point;
   }
 };
+
+/// Roots of a segment that are nearer than this are in one place.
+inline double same_height(const LineSegment& line) { return 1e-13 * (line.high - line.low); }
 
 /// Where a surface crosses a segment on which it is monotone; where it does not, the end nearer to
 /// zero.
@@ -55,9 +61,20 @@ struct LineRoots {
   /// The first `count` have meaning.
   std::array<double, ActiveSet::capacity> positions;
   std::array<int, ActiveSet::capacity> surfaces;
+  /// Bit k is set if root k is of one cluster with root k − 1: nearer than `same_height` to the
+  /// first one, of a surface that is the same as far as neighbouring lines tell.
+  SurfaceSigns joined = 0;
+
+  /// One after the last root of the cluster that begins with `first`.
+  int cluster_end(int first) const {
+    int end = first + 1;
+    while (end < count && joined >> end & 1) ++end;
+    return end;
+  }
 };
 /// Surfaces of `parallel` do not depend on the coordinate along the line: their sign is taken at
-/// its middle.
+/// its middle. Where surfaces touch, so that roots are the same up to rounding, they come in the
+/// order that they have on neighbouring lines.
 LineRoots find_line_roots(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line);
 
 /// An end of a part of a line: at a surface of the active set, or at an end of the segment.
@@ -94,13 +111,12 @@ inline int bounding_piece(const ActiveSet& active, const LineRoots& roots, int f
 
 /// Walks along a segment and looks up what is inside: `on_part(LineEnd, LineEnd)` for each maximal
 /// part inside that no interface cuts, `on_crossing(LineCrossing)` for each crossing, in ascending
-/// order. Roots nearer than 1e-13 of the segment are one cluster, whose total effect counts:
-/// coincident surfaces appear once, w and −w leave no crack. Parts of length zero at an end still
+/// order. Of a cluster of roots the total effect counts: coincident surfaces appear once, w and −w
+/// leave no crack. Parts of length zero at an end still
 /// count as states, so that with sign(0) = + a face on a side shared by cells is met exactly once.
 template <class OnPart, class OnCrossing>
 void walk_line(const ActiveSet& active, const LineRoots& roots, const LineSegment& line,
                OnPart&& on_part, OnCrossing&& on_crossing) {
-  const double cluster = 1e-13 * (line.high - line.low);
   SurfaceSigns signs = roots.start;
   bool inside = active.inside(signs);
   LineEnd from{line.low, LineEnd::segment_end};
@@ -108,11 +124,11 @@ void walk_line(const ActiveSet& active, const LineRoots& roots, const LineSegmen
     if (inside && to.position > from.position) on_part(from, to);
   };
   for (int next = 0; next < roots.count;) {
-    const int first = next;
+    const int first = next, end = roots.cluster_end(first);
     const double position = roots.positions[first];
     int decisive = -1, interface = -1;
     SurfaceSigns after = signs;
-    for (; next < roots.count && roots.positions[next] - position <= cluster; ++next) {
+    for (; next < end; ++next) {
       const int surface = roots.surfaces[next];
       after ^= 1u << surface;
       if (active.is_interface(surface)) interface = surface;

@@ -1,6 +1,7 @@
 #include "quadrature/plane_graphs.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace rfm {
 namespace {
@@ -30,6 +31,13 @@ Interval local_slope(const Plane& plane, const PlaneGraph& graph, double from, d
 }
 
 }  // namespace
+
+double Plane::rounding() const {
+  double size = 0;
+  for (const Point& corner : {box.low, box.high})
+    for (const double coordinate : corner) size = std::max(size, std::fabs(coordinate));
+  return 16 * std::numeric_limits<double>::epsilon() * size;
+}
 
 LineSegment height_line(const Plane& plane, const PlaneGraph& graph, double place) {
   LineSegment line;
@@ -110,17 +118,29 @@ double height_difference(const Plane& plane, const PlaneGraph& first, const Plan
 }
 
 bool isolate_crossings(const Plane& plane, const PlaneGraph& first, const PlaneGraph& second,
-                       double from, double to, std::vector<double>& found) {
+                       double from, double to, std::vector<double>& found,
+                       std::vector<double>& contacts) {
   const auto difference = [&](double place, double& slope) {
     return height_difference(plane, first, second, place, slope);
   };
   const auto slopes = [&](double low, double high) {
     return local_slope(plane, first, low, high) - local_slope(plane, second, low, high);
   };
+  const double zero = 1e-13 * plane.height_length();
+  const auto add = [&](double root) { found.push_back(root); };
+  const auto add_contact = [&](double low, double high) {
+    switch (classify_contact(difference, from, to, low, high, zero, plane.rounding())) {
+      case Contact::touches:
+        return contacts.push_back(0.5 * (low + high));
+      case Contact::crosses:
+        return found.push_back(0.5 * (low + high));
+      case Contact::vanishes:
+        if (low > from) found.push_back(low);
+        if (high < to) found.push_back(high);
+    }
+  };
   IsolationBudget budget;
-  isolate_roots(
-      difference, slopes, from, to, 1e-13 * plane.height_length(),
-      [&](double root) { found.push_back(root); }, budget);
+  isolate_roots(difference, slopes, from, to, zero, add, add_contact, budget);
   return !budget.exhausted;
 }
 

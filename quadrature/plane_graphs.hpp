@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrature/line_roots.hpp"
+#include "quadrature/root_contact.hpp"
 #include "quadrature/root_isolation.hpp"
 
 namespace rfm {
@@ -13,6 +14,8 @@ struct Plane {
   int height = 1;
 
   int third() const { return 3 - base - height; }
+  /// Of what a place in it is known to, in doubles.
+  double rounding() const;
   double base_length() const { return box.length(base); }
   double height_length() const { return box.length(height); }
 };
@@ -43,9 +46,11 @@ bool isolate_level(const Plane& plane, const PlaneGraph& graph, double level,
 double height_difference(const Plane& plane, const PlaneGraph& first, const PlaneGraph& second,
                          double place, double& slope);
 
-/// Base coordinates between `from` and `to` where the graphs cross or touch, appended to `found`;
-/// both must exist there. False if not all could be isolated.
+/// Base coordinates between `from` and `to` where the graphs cross, appended to `found`, and where
+/// they only touch, appended to `contacts`; both graphs must exist there. Where they are one on a
+/// part of the interval, its ends are among those found. False if not all could be isolated.
 bool isolate_crossings(const Plane& plane, const PlaneGraph& first, const PlaneGraph& second,
-                       double from, double to, std::vector<double>& found);
+                       double from, double to, std::vector<double>& found,
+                       std::vector<double>& contacts);
 
 }  // namespace rfm

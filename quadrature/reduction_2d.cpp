@@ -1,6 +1,7 @@
 #include "quadrature/reduction_2d.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rfm {
 
@@ -13,6 +14,8 @@ void Reduction2D::build(const Plane& plane, const ActiveSet& active,
   frame_ = frame;
   certified_ = true;
   touching_ = proofs.touching;
+  higher_ = proofs.higher;
+  known_heights_.clear();
   vertical_ = 0;
   for (int i = 0; i < active.count; ++i)
     if (graph(i).is_vertical(plane)) vertical_ |= 1u << i;
@@ -34,9 +37,9 @@ void Reduction2D::build(const Plane& plane, const ActiveSet& active,
       [&](double place) { return vertical_signs(place); }, walls_);
 }
 
-void Reduction2D::add_found(int cause) {
-  for (const double position : found_) breakpoints_.push_back({position, cause});
-  found_.clear();
+void Reduction2D::add_found(std::vector<double>& found, int cause) {
+  for (const double position : found) breakpoints_.push_back({position, cause});
+  found.clear();
 }
 
 // Roots along the bottom and the top of the box, or anywhere for a vertical surface.
@@ -55,7 +58,7 @@ void Reduction2D::add_ends(int surface, const PlaneProofs& proofs) {
       if (crossing.exists) found_.push_back(crossing.position);
     }
     if (is_vertical(surface)) standing_.insert(standing_.end(), found_.begin(), found_.end());
-    add_found(end_cause(surface, end));
+    add_found(found_, end_cause(surface, end));
   }
 }
 
@@ -80,12 +83,70 @@ void Reduction2D::add_crossings(int first, int second, bool at_most_once) {
       if ((low >= 0) != (high >= 0))
         found_.push_back(bracketed_root(difference, from, to, low, high));
     } else {
-      certified_ &= isolate_crossings(plane_, p, q, from, to, found_);
+      certified_ &= isolate_crossings(plane_, p, q, from, to, found_, contacts_);
     }
   }
-  if (found_.empty()) return;
-  add_found(crossing_cause(first, second));
+  if (found_.empty() && contacts_.empty()) return;
+  add_found(found_, crossing_cause(first, second));
+  add_found(contacts_, Breakpoint::contact);
   std::ranges::sort(breakpoints_, {}, &Breakpoint::position);
+}
+
+// Places between which two graphs stay in the box and do not cross; what else happens there does
+// not concern them.
+Interval Reduction2D::common_range(int first, int second, double place) const {
+  const std::array causes{end_cause(first, 0), end_cause(first, 1), end_cause(second, 0),
+                          end_cause(second, 1), crossing_cause(first, second)};
+  Interval range = plane_.box.interval(base());
+  for (const auto& [position, cause] : breakpoints_) {
+    if (std::ranges::find(causes, cause) == causes.end()) continue;
+    if (position <= place) range.low = std::max(range.low, position);
+    if (position >= place) range.high = std::min(range.high, position);
+  }
+  return range;
+}
+
+// Of two graphs at a place of the base axis; beyond an end of the line by Newton's method.
+double Reduction2D::height_over(int first, int second, double place) const {
+  double heights[2];
+  for (int k = 0; k < 2; ++k) {
+    const PlaneGraph one = graph(k == 0 ? first : second);
+    const LineSegment line = height_line(plane_, one, place);
+    const Crossing crossing = find_crossing(*one.surface, line);
+    heights[k] = crossing.position;
+    double slope = 0;
+    for (int step = 0; step < 3 && !crossing.exists; ++step)
+      heights[k] -= one.surface->value_and_slope(line.at(heights[k]), height(), slope) / slope;
+  }
+  return heights[0] - heights[1];
+}
+
+double Reduction2D::height_over(int first, int second, const LineSegment& line) const {
+  if (first > second) return -height_over(second, first, line);
+  if (higher_[first] >> second & 1) return plane_.height_length();
+  if (higher_[second] >> first & 1) return -plane_.height_length();
+  const double place = line.through[base()];
+  for (const KnownHeight& known : known_heights_)
+    if (known.first == first && known.second == second && known.range.contains(place))
+      return known.height;
+  const Interval range = common_range(first, second, place);
+  KnownHeight known{first, second, range, 0};
+  const auto look = [&](double there) {
+    const double height = height_over(first, second, there);
+    if (std::fabs(height) > std::fabs(known.height)) known.height = height;
+  };
+  for (const double t : {0.05, 0.29, 0.53, 0.74, 0.97}) look(range.low + t * range.width());
+  // Graphs that touch near a side of the box leave it before they are apart.
+  constexpr double short_range = 1e-3;
+  const double near = same_height(line);
+  for (double reach = std::max(range.width(), 1e-9 * plane_.base_length());
+       reach < short_range * plane_.base_length(); reach *= 4) {
+    if (std::fabs(known.height) > near) break;
+    look(std::max(range.low - reach, plane_.box.low[base()]));
+    look(std::min(range.high + reach, plane_.box.high[base()]));
+  }
+  known_heights_.push_back(known);
+  return known.height;
 }
 
 SurfaceSigns Reduction2D::vertical_signs(double place) const {

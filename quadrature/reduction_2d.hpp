@@ -19,6 +19,8 @@ struct PlaneProofs {
   std::array<std::array<Meeting, ActiveSet::capacity>, ActiveSet::capacity> crossings;
   /// Surfaces that touch the bottom or the top without passing through it.
   std::array<EndSigns, 2> touching{};
+  /// Bit j of entry i: graph i is known to be higher than graph j wherever they do not touch.
+  std::array<SurfaceSigns, ActiveSet::capacity> higher{};
 
   PlaneProofs() {
     for (auto& end : ends) end.fill(Meeting::unknown);
@@ -34,15 +36,16 @@ struct PlaneProofs {
 ///     ∫∫ f = Σ over [p, q] of breakpoints ∫_p^q Σ over inside parts of the line ∫ f dη dξ.
 ///
 /// Breakpoints are where a graph meets the bottom or the top of the box, where a vertical surface
-/// stands, and where two graphs cross. The rectangle is a box of the plane or a section of a box of
+/// stands, and where two graphs cross; places where they only touch are among them, although the
+/// order stays the same. The rectangle is a box of the plane or a section of a box of
 /// space. Method: R. I. Saye, SIAM J. Sci. Comput. 37 (2015), carried from one implicit function to
 /// Boolean combinations.
-class Reduction2D {
+class Reduction2D : private LineNeighbours {
  public:
   /// A breakpoint and what causes it: a number that is the same for the same cause in parallel
   /// sections.
   struct Breakpoint {
-    static constexpr int side_of_box = -1;
+    static constexpr int side_of_box = -1, contact = -2;
     double position = 0;
     int cause = side_of_box;
   };
@@ -68,13 +71,15 @@ class Reduction2D {
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
   /// Where vertical surfaces stand.
   const std::vector<Wall>& walls() const { return walls_; }
-  /// False if a root was not isolated: the rule is then a best effort.
+  /// False if a root was not isolated, or if lines met something so thin that surfaces were taken
+  /// for one: the rule is then a best effort.
   bool certified() const { return certified_; }
 
   /// The segment of the height direction at a place of the base axis.
   LineSegment line(double place) const {
     LineSegment segment = height_line(plane_, graph(0), place);
     segment.ends = touching_;
+    segment.neighbours = this;
     return segment;
   }
   /// Intervals of the base axis shorter than this are empty up to rounding.
@@ -87,7 +92,11 @@ class Reduction2D {
   }
   void add_ends(int surface, const PlaneProofs& proofs);
   void add_crossings(int first, int second, bool at_most_once);
-  void add_found(int cause);
+  void add_found(std::vector<double>& found, int cause);
+  Interval common_range(int first, int second, double place) const;
+  double height_over(int first, int second, double place) const;
+  double height_over(int first, int second, const LineSegment& line) const override;
+  void note_loss() const override { certified_ = false; }
   SurfaceSigns vertical_signs(double place) const;
 
   Plane plane_;
@@ -96,10 +105,18 @@ class Reduction2D {
   std::span<const FunctionBounds> bounds_;
   SurfaceSigns vertical_ = 0;
   std::array<EndSigns, 2> touching_{};
+  std::array<SurfaceSigns, ActiveSet::capacity> higher_{};
   std::vector<Breakpoint> breakpoints_;
-  std::vector<double> standing_, found_;
+  std::vector<double> standing_, found_, contacts_;
   std::vector<Wall> walls_;
-  bool certified_ = true;
+  mutable bool certified_ = true;
+  /// What was asked for: pairs of graphs, and the interval on which the answer is the same.
+  struct KnownHeight {
+    int first, second;
+    Interval range;
+    double height;
+  };
+  mutable std::vector<KnownHeight> known_heights_;
 };
 
 }  // namespace rfm

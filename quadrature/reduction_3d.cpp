@@ -14,6 +14,7 @@ Reduction3D::Outcome Reduction3D::build(const Box& box, const ActiveSet& active,
   height_ = height;
   certified_ = true;
   has_contacts_ = false;
+  proofs_.higher = {};
   constant_surface_ = -1;
   if (!find_axes(options))
     return constant_surface_ >= 0 ? Outcome::constant_surface : Outcome::not_reduced;
@@ -67,8 +68,8 @@ void Reduction3D::set_proofs(bool in_haste) {
 const Reduction2D& Reduction3D::section(double outer_coordinate) {
   Box box = box_;
   box.low[outer()] = box.high[outer()] = outer_coordinate;
-  section_.build({box, inner_, height_}, *active_, bounds_, proofs_);
   certified_ &= section_.certified();
+  section_.build({box, inner_, height_}, *active_, bounds_, proofs_);
   return section_;
 }
 
@@ -82,6 +83,7 @@ PlaneGraph Reduction3D::base_graph(const Curve& curve) const {
 
 void Reduction3D::find_breakpoints(bool in_haste) {
   breakpoints_.assign({box_.low[outer()], box_.high[outer()]});
+  contacts_.clear();
   standing_.clear();
   found_.clear();
   // Surfaces that depend on the outer coordinate alone.
@@ -113,11 +115,21 @@ void Reduction3D::add_face_breakpoints(double inner_coordinate, bool in_haste) {
   }
   Box face = box_;
   face.low[inner_] = face.high[inner_] = inner_coordinate;
-  section_.build({face, outer(), height_}, *active_, bounds_, proofs);
   certified_ &= section_.certified();
-  for (const auto& breakpoint : section_.breakpoints())
-    if (breakpoint.cause != Reduction2D::Breakpoint::side_of_box)
-      breakpoints_.push_back(breakpoint.position);
+  section_.build({face, outer(), height_}, *active_, bounds_, proofs);
+  for (const auto& [position, cause] : section_.breakpoints()) {
+    if (cause == Reduction2D::Breakpoint::side_of_box) continue;
+    if (cause == Reduction2D::Breakpoint::contact) {
+      // Found on both faces, each to the root of the rounding: one is enough.
+      const double same = 1e-5 * box_.length(outer());
+      if (std::ranges::any_of(contacts_, [&, place = position](double other) {
+            return std::fabs(other - place) <= same;
+          }))
+        continue;
+      contacts_.push_back(position);
+    }
+    breakpoints_.push_back(position);
+  }
 }
 
 SurfaceSigns Reduction3D::outer_signs(double place) const {

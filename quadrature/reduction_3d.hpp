@@ -55,11 +55,15 @@ class Reduction3D {
   int inner() const { return inner_; }
   int height() const { return height_; }
   const std::vector<double>& breakpoints() const { return breakpoints_; }
+  /// Those at which surfaces touch: sections there, and only there, take them for one.
+  const std::vector<double>& contacts() const { return contacts_; }
   /// Where surfaces stand that depend on the outer coordinate alone.
   const std::vector<Wall>& walls() const { return walls_; }
   /// Surfaces that depend on the outer coordinate alone.
   SurfaceSigns outer_only() const { return outer_only_; }
-  bool certified() const { return certified_; }
+  /// False if a root was not isolated, or if lines met something so thin that surfaces were taken
+  /// for one: the rule is then a best effort.
+  bool certified() const { return certified_ && section_.certified(); }
   /// Some surfaces touch in the box as far as samples tell.
   bool has_contacts() const { return has_contacts_; }
   double negligible_width() const { return 1e-14 * box_.length(outer()); }
@@ -92,12 +96,14 @@ class Reduction3D {
   bool coincide(int first, int second) const;
   bool choose_inner(const Options& options, bool in_any_case);
   bool accept_contacts();
-  bool only_touch(const Curve& crossing) const;
+  bool only_touch(const Curve& crossing);
   void set_proofs(bool in_haste);
   void find_breakpoints(bool in_haste);
   void add_face_breakpoints(double inner_coordinate, bool in_haste);
   void add_meetings(bool of_crossings);
   void add_meetings(std::size_t first, std::size_t second);
+  void add_found_meetings();
+  void add_contact(double low, double high);
   bool may_meet(const Curve& a, const Curve& b) const;
 
   /// Where a curve is in a section: its inner coordinate, or the end of the section nearest to it.
@@ -137,7 +143,7 @@ class Reduction3D {
   std::array<Interval, ActiveSet::capacity> ranges_;
   std::array<FunctionBounds, ActiveSet::capacity> narrow_;
   PlaneProofs proofs_;
-  std::vector<double> breakpoints_, standing_, found_;
+  std::vector<double> breakpoints_, contacts_, standing_, found_;
   std::vector<std::optional<CurvePoint>> middles_;
   std::vector<Wall> walls_;
   SurfaceSigns outer_only_ = 0;

@@ -38,7 +38,8 @@ bool Reduction3D::accept_contacts() {
 }
 
 // The difference of the heights of two graphs has the same sign, up to rounding, at its extrema.
-bool Reduction3D::only_touch(const Curve& crossing) const {
+// Sections in which they touch all along do not know it.
+bool Reduction3D::only_touch(const Curve& crossing) {
   const int i = crossing.first, j = crossing.second;
   const Plane across{box_, outer(), height_};
   SignSurvey survey(
@@ -57,7 +58,10 @@ bool Reduction3D::only_touch(const Curve& crossing) const {
       },
       rounding * box_.length(height_), near * box_.length(inner_));
   survey.run(box_.interval(outer()));
-  return !(survey.positive() && survey.negative());
+  if (survey.positive() && survey.negative()) return false;
+  if (survey.positive()) proofs_.higher[i] |= 1u << j;
+  if (survey.negative()) proofs_.higher[j] |= 1u << i;
+  return true;
 }
 
 // The sign of a surface on the bottom or the top where it may touch it but does not pass through:

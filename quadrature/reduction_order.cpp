@@ -60,11 +60,35 @@ void Reduction3D::add_meetings(std::size_t first, std::size_t second) {
     if (!q.exists ||
         std::fabs(p.position - q.position) > whole_slope.magnitude() * 0.5 * (to - from))
       continue;
+    const auto add = [&](double root) { found_.push_back(root); };
+    const auto add_contact = [&](double low, double high) {
+      switch (classify_contact(difference, from, to, low, high, zero, base_plane().rounding())) {
+        case Contact::touches:
+          return this->add_contact(low, high);
+        case Contact::crosses:
+          return add(0.5 * (low + high));
+        case Contact::vanishes:
+          if (low > from) add(low);
+          if (high < to) add(high);
+      }
+    };
     IsolationBudget budget;
-    isolate_roots(
-        difference, slopes, from, to, zero, [&](double root) { found_.push_back(root); }, budget);
+    isolate_roots(difference, slopes, from, to, zero, add, add_contact, budget);
     certified_ &= !budget.exhausted;
   }
+  add_found_meetings();
+}
+
+// Where two curves touch the section would take their surfaces for one. A breakpoint there, or one
+// that is as near as rounding tells, keeps nodes of rules away from it.
+void Reduction3D::add_contact(double low, double high) {
+  for (const double place : breakpoints_)
+    if (low <= place && place <= high) return contacts_.push_back(place);
+  contacts_.push_back(0.5 * (low + high));
+  found_.push_back(contacts_.back());
+}
+
+void Reduction3D::add_found_meetings() {
   if (found_.empty()) return;
   // Three curves through one point meet in pairs, at the same place up to rounding. The integrand
   // has a kink there: to move it by ε is an error of O(ε²).

@@ -52,16 +52,17 @@ struct IsolationBudget {
 /// zero. An interval is settled when `slope_bounds(low, high)` excludes zero (at most one root) or
 /// when |f| at its middle exceeds what the slope can bridge (none); it is bisected otherwise. Where
 /// the function is at most `zero` at both ends and the middle it touches zero or coincides with it.
-/// Neighbouring intervals of this kind are one contact: a short one is reported by its middle, a
-/// longer one by its ends; nothing is reported for a function that vanishes everywhere.
-template <class Function, class SlopeBounds, class Report>
+/// Neighbouring intervals of this kind are one contact, reported by its ends; nothing is reported
+/// for a function that vanishes everywhere.
+template <class Function, class SlopeBounds, class Report, class ReportContact>
 class RootIsolation {
  public:
-  RootIsolation(Function& function, SlopeBounds& slope_bounds, Report& report, double zero,
-                IsolationBudget& budget)
+  RootIsolation(Function& function, SlopeBounds& slope_bounds, Report& report,
+                ReportContact& report_contact, double zero, IsolationBudget& budget)
       : function_(function),
         slope_bounds_(slope_bounds),
         report_(report),
+        report_contact_(report_contact),
         zero_(zero),
         budget_(budget) {}
 
@@ -111,20 +112,15 @@ class RootIsolation {
   }
 
   void finish_contact() {
-    constexpr double short_contact = 1e-4;
     if (!in_contact_) return;
     in_contact_ = false;
-    if (contact_high_ - contact_low_ < short_contact * (high_ - low_)) {
-      report_(0.5 * (contact_low_ + contact_high_));
-    } else {
-      if (contact_low_ > low_) report_(contact_low_);
-      if (contact_high_ < high_) report_(contact_high_);
-    }
+    if (contact_low_ > low_ || contact_high_ < high_) report_contact_(contact_low_, contact_high_);
   }
 
   Function& function_;
   SlopeBounds& slope_bounds_;
   Report& report_;
+  ReportContact& report_contact_;
   double zero_;
   IsolationBudget& budget_;
   double low_ = 0, high_ = 0;
@@ -132,11 +128,29 @@ class RootIsolation {
   double contact_low_ = 0, contact_high_ = 0;
 };
 
-/// Calls `report(root)` for the roots of `function(t, slope)` on [low, high]; see `RootIsolation`.
+/// Calls `report(root)` for the roots of `function(t, slope)` on [low, high], and
+/// `report_contact(from, to)` where it touches zero; see `RootIsolation`.
+template <class Function, class SlopeBounds, class Report, class ReportContact>
+void isolate_roots(Function&& function, SlopeBounds&& slope_bounds, double low, double high,
+                   double zero, Report&& report, ReportContact&& report_contact,
+                   IsolationBudget& budget) {
+  RootIsolation(function, slope_bounds, report, report_contact, zero, budget).run(low, high);
+}
+
+/// The same where contacts are reported as roots: a short one by its middle, a longer one by its
+/// ends within the interval.
 template <class Function, class SlopeBounds, class Report>
 void isolate_roots(Function&& function, SlopeBounds&& slope_bounds, double low, double high,
                    double zero, Report&& report, IsolationBudget& budget) {
-  RootIsolation(function, slope_bounds, report, zero, budget).run(low, high);
+  constexpr double short_contact = 1e-4;
+  isolate_roots(
+      function, slope_bounds, low, high, zero, report,
+      [&](double from, double to) {
+        if (to - from < short_contact * (high - low)) return report(0.5 * (from + to));
+        if (from > low) report(from);
+        if (to < high) report(to);
+      },
+      budget);
 }
 
 }  // namespace rfm

@@ -39,6 +39,10 @@ bool stands_between(const std::vector<Wall>& walls, double from, double to) {
       walls, [&](const Wall& wall) { return from <= wall.position && wall.position <= to; });
 }
 
+bool lies_between(const std::vector<double>& places, double from, double to) {
+  return std::ranges::any_of(places, [&](double place) { return from <= place && place <= to; });
+}
+
 }  // namespace
 
 const std::vector<SmoothInterval>& SmoothIntervals::of_plane(const Reduction2D& reduction) {
@@ -120,7 +124,8 @@ const std::vector<SmoothInterval>& SmoothIntervals::of_space(Reduction3D& reduct
     interval.signature = section_signature(reduction.section(interval.at(0.5)));
     if (interval.signature == nothing_inside) continue;
     add_interval(space_, interval, reduction.negligible_width(), [&](double from, double to) {
-      return stands_between(reduction.walls(), from, to);
+      return stands_between(reduction.walls(), from, to) ||
+             lies_between(reduction.contacts(), from, to);
     });
   }
   return space_;

@@ -22,7 +22,8 @@ struct SmoothInterval {
 /// Not every breakpoint of a reduction matters: a surface may enter the box, or two surfaces may
 /// cross, where the region does not depend on them. Across a breakpoint at which the inside parts
 /// of lines keep the surfaces that bound them, the integral along lines is analytic, because each
-/// of these surfaces is a graph on both sides; such neighbours are one interval. Intervals over
+/// of these surfaces is a graph on both sides; such neighbours are one interval, but in space not
+/// across a place where surfaces touch. Intervals over
 /// which nothing is inside are left out. In a cell where many surfaces cross this saves most of the
 /// points. Where a surface lies on a side of the box up to rounding intervals stay as they are: the
 /// boxes on both sides then see it at the same places, and it is counted once.

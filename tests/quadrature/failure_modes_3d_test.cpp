@@ -56,6 +56,44 @@ TEST(FailureModes3D, CylindersTangentAlongALine) {
   EXPECT_EQ(fine.report.uncertified.boxes, 0);
 }
 
+TEST(FailureModes3D, CylindersTangentOnThePlanesOrInTheMiddlesOfCellsKeepTheirArea) {
+  const Region region =
+      (solid(1 - square(x()) - square(y())) - solid(0.25 - square(x() - 0.5) - square(y()))) &
+      solid(0.5 - z()) & solid(0.5 + z());
+  const double volume = 0.75 * pi, area = 3 * pi + 1.5 * pi;
+  for (int cells = 3; cells <= 11; ++cells)
+    for (const int points : {3, 5, 6, 7, 8}) {
+      QuadratureOptions options;
+      options.inside_points = options.cut_points = points;
+      const Grid cell_grid({3, {-1, -1, -0.5}, {1, 1, 0.5}}, {cells, cells, cells / 2 + 1});
+      const DomainRule rule = make_domain_rule(RegionEvaluator(region), cell_grid, options);
+      const QuadratureReport& report = rule.report();
+      EXPECT_EQ(report.uncertified.boxes, 0);
+      EXPECT_NEAR(rule.measure(), volume, report.order_difference.volume + 1e-12)
+          << cells << " cells, " << points << " points";
+      EXPECT_NEAR(rule.boundary_measure(), area, report.order_difference.boundary + 1e-11)
+          << cells << " cells, " << points << " points";
+    }
+}
+
+TEST(FailureModes3D, BallsTangentInTheMiddleOfACellKeepTheirArea) {
+  const Region region = solid(1 - square(x()) - square(y()) - square(z())) -
+                        solid(0.25 - square(x()) - square(y()) - square(z() - 0.5));
+  for (const int cells : {5, 7, 8})
+    for (const int points : {5, 6, 7}) {
+      QuadratureOptions options;
+      options.inside_points = options.cut_points = points;
+      const DomainRule rule = make_domain_rule(RegionEvaluator(region), grid(1, cells, 3), options);
+      const QuadratureReport& report = rule.report();
+      EXPECT_NEAR(rule.measure(), 4 * pi / 3 * 0.875,
+                  report.order_difference.volume + report.uncertified.measure + 1e-12)
+          << cells << " cells, " << points << " points";
+      EXPECT_NEAR(rule.boundary_measure(), 5 * pi,
+                  report.order_difference.boundary + report.uncertified.boundary + 1e-11)
+          << cells << " cells, " << points << " points";
+    }
+}
+
 TEST(FailureModes3D, PlaneTangentToATorusAlongACircle) {
   // The plane cuts nothing off: volume and area are those of the torus.
   const Region torus =

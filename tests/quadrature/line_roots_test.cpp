@@ -140,6 +140,55 @@ TEST(LineRoots, WhereAPieceTouchesTheSideOfATurnedBoxThePieceIsTheBoundary) {
   EXPECT_THAT(crossed, ElementsAre(1));
 }
 
+// Answers that the surfaces of all pairs are apart by `height` times the difference of their
+// numbers.
+struct AtHeights : LineNeighbours {
+  double height = 0;
+  mutable bool lost = false;
+  double height_over(int first, int second, const LineSegment&) const override {
+    return height * (first - second);
+  }
+  void note_loss() const override { lost = true; }
+};
+
+// What lies between x = 0.25 and the same place, moved by `shift`, on the line y = 0.
+std::vector<int> crossed(AtHeights& neighbours, double shift = 0) {
+  const LevelFunction low(x() - 0.25, 2), high(0.25 + shift - x(), 2);
+  const Surface first(low), second(high);
+  ActiveSet active;
+  active.table =
+      TruthTable(v(0) & v(1), std::array{0, 1}, std::array{Truth::unknown, Truth::unknown});
+  active.add(first, 0);
+  active.add(second, 1);
+  LineSegment line{{}, 0, -1, 1};
+  line.neighbours = &neighbours;
+  std::vector<int> surfaces;
+  walk_line(
+      active, find_line_roots(active, 0, line), line, [](const LineEnd&, const LineEnd&) {},
+      [&](const LineCrossing& crossing) { surfaces.push_back(crossing.surface); });
+  return surfaces;
+}
+
+TEST(LineRoots, SurfacesThatTouchComeInTheOrderOfNeighbouringLines) {
+  AtHeights neighbours;
+  neighbours.height = 1;  // the second is higher: something lies between
+  EXPECT_THAT(crossed(neighbours), ElementsAre(0, 1));
+  neighbours.height = -1;
+  EXPECT_THAT(crossed(neighbours), IsEmpty());
+  neighbours.height = 0;  // one surface
+  EXPECT_THAT(crossed(neighbours), IsEmpty());
+  EXPECT_FALSE(neighbours.lost);
+}
+
+TEST(LineRoots, ALengthThatRoundingDoesNotExplainIsNotLeftOutSilently) {
+  AtHeights neighbours;
+  EXPECT_THAT(crossed(neighbours, 1e-15), IsEmpty());
+  EXPECT_FALSE(neighbours.lost);
+  EXPECT_THAT(crossed(neighbours, 1e-14), IsEmpty());
+  EXPECT_TRUE(neighbours.lost);
+  EXPECT_THAT(crossed(neighbours, 1e-12), ElementsAre(0, 1));
+}
+
 TEST(LineRoots, InterfacesBreakPartsInsideOnly) {
   const Walk w = walk(v(0), {x()}, {x() - 0.5, x() + 0.5});
   EXPECT_THAT(w.parts, ElementsAre(std::array{0.0, 0.5}, std::array{0.5, 1.0}));
