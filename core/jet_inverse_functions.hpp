@@ -33,13 +33,24 @@ TaylorSeries<T, K> inverse_root_primitive(int order, const T& value, const T& sl
   return taylor;
 }
 
+/// 1 − x² to 1.1 ulp, for powers of it: next to ±1 as a product, in which 1 − |x| is exact.
+template <class T>
+T rest_of_square(const T& x) {
+  if constexpr (is_plain<T>) {
+    using std::abs;
+    const T size = abs(x);
+    return select(less(size, T(0.5)), T(T(1.0) - x * x), T((T(1.0) - size) * (T(1.0) + size)));
+  } else {
+    return (T(1.0) - x) * (T(1.0) + x);
+  }
+}
+
 template <class T, int N, int K>
 Jet<T, N, K> asin(const Jet<T, N, K>& a) {
   using std::asin;
   if (a.order() == 0) return Jet<T, N, K>::constant(asin(a.c[0]));
-  // (1 − a)(1 + a) does not cancel next to ±1, where the derivatives are 0 by convention.
-  const T rest = (T(1.0) - a.c[0]) * (T(1.0) + a.c[0]);
   using std::sqrt;
+  const T rest = rest_of_square(a.c[0]);  // the derivatives are 0 where it is, by convention
   const T slope = select(equal(rest, T(0.0)), T(0.0), T(1.0) / T(sqrt(rest)));
   return compose(a, inverse_root_primitive<T, K>(a.order(), T(asin(a.c[0])), slope, a.c[0],
                                                  reciprocal_or_zero(rest)));

@@ -42,9 +42,9 @@ class Tape {
   /// Jets of all roots at up to `block_size` points. Throws `InvalidArgument` for a workspace of
   /// another tape, and where the points lack what the fields depend on.
   void evaluate(const PointBlock& points, Workspace& workspace) const;
-  /// Rigorous bounds of value and gradient of root `root` over a box, by first-order Taylor
-  /// models with interval remainders; of a root of order 0 the gradient is not bounded. The
-  /// gradient is with respect to the tape's variables. Throws `InvalidArgument` if low > high.
+  /// Rigorous bounds of value and gradient of root `root` over a box (other coordinates are 0), by
+  /// first-order Taylor models with interval remainders; the gradient, with respect to the tape's
+  /// variables, is not bounded of a root of order 0. Throws `InvalidArgument` if low > high.
   FunctionBounds bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;
   /// Rigorous bounds of the value alone, by plain intervals: cheaper and wider.
   Interval value_bounds(const Box& box, int root = 0, const OtherRanges& others = {}) const;
@@ -62,7 +62,7 @@ class Tape {
   /// All Taylor coefficients of root `root` at one point, as many as its order has.
   std::vector<double> jet(const Point& point, int root = 0, const OtherValues& others = {}) const;
 
-  /// The same functions for points and boxes within `box`, whatever time and parameters are,
+  /// The same functions for points and boxes within `box`, whatever all other coordinates are,
   /// without what bounds of the values over the box decide: the branch of a min, max or select that
   /// is not taken, |a| and the sign of an argument of one sign, comparisons and floors that are
   /// constant. Where the compared are equal up to rounding, the result is either of the branches. A

@@ -5,8 +5,8 @@
 #include "core/composition.hpp"
 #include "core/error.hpp"
 #include "core/field_node.hpp"
-#include "core/graph_derivative.hpp"
 #include "core/graph_walk.hpp"
+#include "core/slots.hpp"
 
 namespace rfm {
 namespace {
@@ -40,9 +40,10 @@ Field with_slots(const Field& formula, const std::vector<Field>& slots) {
       });
 }
 
-// Where the formula is defined: terms that are zero are none, whatever they are the zero of.
-Field derivative(const Field& formula, const SymbolSlot& slot) {
-  return GraphDerivative(slot.field()).where_defined(formula);
+std::vector<Field> fields_of(const std::vector<SymbolSlot>& slots) {
+  std::vector<Field> fields;
+  for (const SymbolSlot& slot : slots) fields.push_back(slot.field());
+  return fields;
 }
 
 }  // namespace
@@ -53,13 +54,11 @@ Form Form::energy(const Field& density, FormPlace place) {
   SlotNumbering numbering;
   form.density_ = numbering.replaced(density);
   form.slots_ = numbering.slots();
-  for (std::size_t s = 0; s < form.slots_.size(); ++s) {
-    const Field slope = derivative(form.density_, form.slots_[s]);
-    if (slope.is_constant(0)) continue;
-    form.residual_.push_back({form.slots_[s].slot, slope});
-    for (std::size_t t = s; t < form.slots_.size(); ++t)
-      form.add_tangent(form.slots_[s].slot, form.slots_[t].slot, derivative(slope, form.slots_[t]));
-  }
+  const auto [gradient, hessian] = slot_derivatives(form.density_, fields_of(form.slots_));
+  for (const auto& [slot, slope] : gradient)
+    form.residual_.push_back({form.slots_[slot].slot, slope});
+  for (const auto& [row, column, value] : hessian)
+    form.add_tangent(form.slots_[row].slot, form.slots_[column].slot, value);
   return form;
 }
 
@@ -74,15 +73,13 @@ Form Form::weak(const Field& density, FormPlace place) {
     throw InvalidArgument("a weak form is linear in the test functions: each of its terms has one");
   };
   if (!with_slots(formula, no_test).is_constant(0)) refuse();
-  for (const SymbolSlot& test : form.slots_) {
-    if (!test.is_test) continue;
-    const Field flux = derivative(formula, test);
-    for (const SymbolSlot& other : form.slots_)
-      if (other.is_test && !derivative(flux, other).is_constant(0)) refuse();
-    if (flux.is_constant(0)) continue;
-    form.residual_.push_back({test.slot, flux});
-    for (const SymbolSlot& trial : form.slots_)
-      if (!trial.is_test) form.add_tangent(test.slot, trial.slot, derivative(flux, trial));
+  std::vector<SymbolSlot> tests, trials;
+  for (const SymbolSlot& slot : form.slots_) (slot.is_test ? tests : trials).push_back(slot);
+  for (const auto& [test, flux] : slot_gradient(formula, fields_of(tests))) {
+    if (!slot_gradient(flux, fields_of(tests)).empty()) refuse();
+    form.residual_.push_back({tests[test].slot, flux});
+    for (const auto& [trial, value] : slot_gradient(flux, fields_of(trials)))
+      form.add_tangent(tests[test].slot, trials[trial].slot, value);
   }
   return form;
 }
@@ -104,8 +101,9 @@ Form Form::least_squares(const std::vector<Field>& residuals, const std::vector<
   for (std::size_t i = 0; i < formulas.size(); ++i) {
     const Field weight = weights.empty() ? Field(1.0) : weights[i];
     form.density_ = form.density_ + 0.5 * weight * formulas[i] * formulas[i];
-    std::vector<Field> slopes;
-    for (const SymbolSlot& slot : form.slots_) slopes.push_back(derivative(formulas[i], slot));
+    std::vector<Field> slopes(count, 0.0);
+    for (const auto& [slot, slope] : slot_gradient(formulas[i], fields_of(form.slots_)))
+      slopes[slot] = slope;
     ResidualRow& row = form.rows_.emplace_back();
     row.value = sqrt(weight) * formulas[i];
     for (std::size_t s = 0; s < count; ++s)

@@ -156,24 +156,26 @@ Jets by_slopes_of_point_programs(const Row& row, const ArgumentShape& shape,
 }
 
 Jets by_slots(const Row& row, const ArgumentShape& shape, const std::vector<Arguments>& points) {
-  std::vector<int> slots;
   std::vector<Field> arguments;
   for (int i = 0; i < 3; ++i) arguments.push_back(further_coordinate(first_held + i));
-  for (int i = 0; i < shape.variables; ++i) slots.push_back(first_held + i);
-  const SlotFunction function(operation_of(row, arguments), slots);
+  const Field function = operation_of(row, arguments);
+  const auto [gradient, hessian] = slot_derivatives(
+      function, std::vector<Field>(arguments.begin(), arguments.begin() + shape.variables));
+  std::vector<Field> roots{function};
+  for (const SlotSlope& entry : gradient) roots.push_back(entry.value);
+  for (const SlotCurvature& entry : hessian) roots.push_back(entry.value);
+  const Tape tape(roots, {0}, Variables(std::vector<int>{0}));
   Jets jets;
   for (const Arguments& point : points) {
     const std::array<double, further_count> further = place_of(shape, point).further;
-    const auto value = [&](int root) { return function.tape().value({}, root, {0, {}, further}); };
+    int root = 0;
+    const auto next = [&] { return tape.value({}, root++, {0, {}, further}); };
     std::vector<double> jet(jet_size(shape.variables, 2), 0.0);
-    jet[0] = value(0);
-    const auto of = [&](const SlotFunction::Entry& entry) {
-      return entry.root < 0 ? entry.constant : value(entry.root);
-    };
-    for (const auto& entry : function.gradient()) jet[1 + entry.row] = of(entry);
-    for (const auto& entry : function.hessian())
+    jet[0] = next();
+    for (const SlotSlope& entry : gradient) jet[1 + entry.slot] = next();
+    for (const SlotCurvature& entry : hessian)
       jet[jet_index(shape.variables, unit_index(entry.row) + unit_index(entry.column))] =
-          (entry.row == entry.column ? 0.5 : 1) * of(entry);
+          (entry.row == entry.column ? 0.5 : 1) * next();
     jets.push_back(jet);
   }
   return jets;

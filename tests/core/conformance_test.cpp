@@ -12,12 +12,12 @@
 // the operation but none of the rules.
 //
 // The tolerance is 8 ulp of the condition: |found − F| ≤ 8 u C, u = 2⁻⁵³, with the coefficients F
-// and the conditions C of `Expected` (operation_truth.hpp): what changes of u of the values of the
-// arguments and of the coefficients of the operation explain. From degree 4 on some operations are
-// allowed 2 ulp more for each degree, since their series are made of powers of rounded numbers, and
-// two that are composed of several others another digit in base two (`allowance`). The node by node
-// derivatives of slots are differences of those of the parts of a definition: accurate to 32 ulp
-// with respect to the largest coefficient of their degree.
+// and the conditions C of `Expected` (operation_truth.hpp): what changes of u of what is given, the
+// values and coefficients of the arguments, and of the coefficients of the operation explain. From
+// degree 4 on a few operations are allowed 2 ulp more for each degree, since their series are made
+// of powers of rounded numbers, and two that are composed of several others another digit in base
+// two (`allowance`). The node by node derivatives of slots are differences of those of the parts of
+// a definition: accurate to 32 ulp with respect to the largest coefficient of their degree.
 //
 // Where the operation is not defined no result is a finite number, of any degree. Where it is not
 // smooth derivatives are a convention (core/jet.hpp), and finite. `Expected` says when overflow
@@ -47,8 +47,6 @@ long double allowance(Operation operation, int degree) {
     case Operation::atan:
     case Operation::tanh:
     case Operation::asinh:
-    case Operation::ralpha_conjunction:
-    case Operation::ralpha_disjunction:
     case Operation::rp_conjunction:
     case Operation::rp_disjunction:
       return 8 + 2 * beyond;

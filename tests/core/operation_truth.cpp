@@ -169,7 +169,12 @@ Composition::Composition(const ArgumentShape& shape, int arity)
       }
     monomials_.push_back(std::move(monomial));
     majorants_.push_back(std::move(majorant));
+    degrees_.push_back(shape.kind == ArgumentShape::Kind::own ? 0 : jet_degree(arity, i));
   }
+}
+
+long double Composition::weight(const OperationTruth& truth, std::size_t alpha) const {
+  return truth.weights[alpha] + degrees_[alpha] * std::fabs(truth.coefficients[alpha]);
 }
 
 double largest_of(const std::array<double, 3>& arguments, int arity) {
@@ -202,7 +207,7 @@ std::vector<Expected> Composition::of_proportional(const OperationTruth& truth,
       if (majorants_[alpha][i] == 0) continue;
       if (factor != 0)
         expected[i].value += truth.coefficients[alpha] * factor * monomials_[alpha][i];
-      expected[i].condition += truth.weights[alpha] * size * majorants_[alpha][i];
+      expected[i].condition += weight(truth, alpha) * size * majorants_[alpha][i];
       expected[i].least += least * majorants_[alpha][i];
       expected[i].is_known = expected[i].is_known && truth.is_known[alpha];
     }
@@ -228,7 +233,7 @@ std::vector<Expected> Composition::operator()(const OperationTruth& truth,
     for (int i = 0; i < size_; ++i) {
       if (majorants_[alpha][i] == 0) continue;
       expected[i].value += truth.coefficients[alpha] * monomials_[alpha][i];
-      expected[i].condition += truth.weights[alpha] * majorants_[alpha][i];
+      expected[i].condition += weight(truth, alpha) * majorants_[alpha][i];
       expected[i].is_known = expected[i].is_known && truth.is_known[alpha];
     }
   for (int i = 0; i < size_; ++i) {

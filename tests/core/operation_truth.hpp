@@ -47,10 +47,12 @@ struct ArgumentShape {
 /// A Taylor coefficient of f(a(x), b(x), c(x)) and its condition, the same sum with the weights and
 /// with absolute values of the coefficients of the arguments:
 ///
-///     F_β = Σ_α f_α [(a − a₀)^α₁ (b − b₀)^α₂ …]_β,   C_β = Σ_α w_α [|a − a₀|^α₁ …]_β .
+///     F_β = Σ_α f_α [(a − a₀)^α₁ (b − b₀)^α₂ …]_β,   C_β = Σ_α (w_α + d |f_α|) [|a − a₀|^α₁ …]_β .
 ///
-/// A relative change of u of the values of the arguments and of each intermediate f_α changes F_β
-/// by up to u C_β: this is what "8 ulp of the condition" means, |found − F_β| ≤ 8 u C_β, u = 2⁻⁵³.
+/// A relative change of u of what is given, the values and the coefficients of the arguments, and
+/// of each intermediate f_α changes F_β by up to u C_β: this is what "8 ulp of the condition"
+/// means, |found − F_β| ≤ 8 u C_β, u = 2⁻⁵³. The d = |α| coefficients in a product count where
+/// arguments are functions; those of arguments that are the variables themselves are ones, d = 0.
 /// Not covered by it are numbers below the normal ones and f_α that overflow. Absolute errors of a
 /// few times 2⁻¹⁰²², the smallest normal number, are admitted; of operations with several
 /// arguments, which are composed of others, times |a|^±|β| for each argument. Where an f_α with |α|
@@ -74,14 +76,16 @@ class Composition {
                                    const std::array<double, 3>& arguments) const;
 
  private:
+  long double weight(const OperationTruth& truth, std::size_t alpha) const;
   std::vector<Expected> of_proportional(const OperationTruth& truth,
                                         const std::array<double, 3>& arguments) const;
 
   ArgumentShape::Kind kind_;
   int variables_, order_, arity_, size_;
-  // For each α the coefficients of its monomial in the increments of the arguments, and those of
-  // their absolute values.
+  // For each α the coefficients of its monomial in the increments of the arguments, those of their
+  // absolute values, and how many of them that are given each product has.
   std::vector<std::vector<double>> monomials_, majorants_;
+  std::vector<int> degrees_;
 };
 
 }  // namespace rfm
