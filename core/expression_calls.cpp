@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
 #include "core/expression_evaluator.hpp"
 #include "core/field_source.hpp"
+#include "core/graph_walk.hpp"
+#include "core/multi_index.hpp"
 #include "core/nearest_name.hpp"
 
 namespace rfm {
@@ -12,6 +15,9 @@ namespace {
 using Node = Expression::Node;
 
 constexpr int deepest_calls = 200;
+
+// Structures and forms take up to four derivatives more.
+constexpr int highest_derivative = maximum_order - 4;
 
 std::string count_of_arguments(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
@@ -25,6 +31,21 @@ void check_count(const std::string& name, const Node& node, std::size_t least, s
   if (count < least && (name == "min" || name == "max")) takes = "2 or more arguments";
   throw InputError(name + " takes " + takes + ", got " + std::to_string(count), node.offset,
                    node.length);
+}
+
+// What cannot be evaluated is refused where it is written.
+void check_order(const Field& derivative, const Node& node) {
+  const int order = walked<int>(
+      derivative, [](const Field&) { return 0; },
+      [](const Field& field, const std::vector<int>& orders) {
+        const int own = field.node().operation == Operation::partial ? 1 : 0;
+        return own + std::ranges::max(orders);
+      });
+  if (order > highest_derivative)
+    throw InputError("derivatives of a formula are at most of order " +
+                         std::to_string(highest_derivative) + ", this one is of order " +
+                         std::to_string(order),
+                     node.begin, node.end - node.begin);
 }
 
 // f.dxy → f and the axes of the derivative; f → f and none.
@@ -164,6 +185,7 @@ ExpressionValue ExpressionEvaluator::call_partial(const Expression& expression, 
                      argument.begin, argument.end - argument.begin);
   Field derivative = value.components[0];
   for (const int axis : derivative_axes(name)) derivative = partial(derivative, axis);
+  check_order(derivative, node);
   return derivative;
 }
 
@@ -202,6 +224,7 @@ ExpressionValue ExpressionEvaluator::call_at_point(const Expression& expression,
   check_count(name, node, dimension, dimension);
   const std::vector<Field> place = scalars(expression, i, take_arguments(stack, dimension));
   for (const int axis : along) function = partial(function, axis);
+  check_order(function, node);
   return compose(function, place);
 }
 

@@ -35,12 +35,15 @@ struct Conjunction {
   Field operator()(const RAlphaField& system) const {
     const Field& alpha = system.alpha;
     if (alpha.is_constant()) return (*this)(RAlpha{alpha.constant()});
-    // x² + y² − 2αxy as a sum of squares; next to the boundary the difference cancels, its other
-    // form does not.
-    const Field sum = x + y, difference = x - y;
-    const Field root =
-        sqrt(0.5 * (1 + alpha) * difference * difference + 0.5 * (1 - alpha) * sum * sum);
-    return select(apply(Operation::less, {0.0, sum}), 2 * x * y / (sum + root),
+    // x² + y² − 2αxy as a sum of squares, of x and y over their length: squares of themselves may
+    // be out of range. Next to the boundary the difference cancels, its other form does not.
+    const Field sum = x + y, length = hypot(x, y);
+    const auto square_of = [&](const Field& f) { return pow(f / length, 2); };
+    const Field root = select(
+        apply(Operation::less, {0.0, length}),
+        length * sqrt(0.5 * (1 + alpha) * square_of(x - y) + 0.5 * (1 - alpha) * square_of(sum)),
+        length);
+    return select(apply(Operation::less, {0.0, sum}), 2 * x * (y / (sum + root)),
                   (sum - root) / (1 + alpha));
   }
   Field operator()(const RAlphaM& system) const {

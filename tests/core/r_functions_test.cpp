@@ -103,6 +103,29 @@ TEST_P(EverySystem, ConjunctionsOfManyHaveTheSignOfTheSmallest) {
   EXPECT_LT(disjunction(std::vector<Field>{}, GetParam()).constant(), 0);
 }
 
+TEST(RFunctions, FieldsOfAlphaAreAsAccurateAsConstantsAtEverySize) {
+  const RAlphaField field{z_coordinate()};
+  const RAlpha constant{0.3};
+  for (const double size : {1e-290, 1e-170, 1e-160, 1.0, 1e154, 1e300})
+    for (const double a : {-1.3, 1e-9, 0.7})
+      for (const double b : {-1e-9, 0.4, 1.5})
+        for (const bool is_conjunction : {true, false}) {
+          const auto jet = [&](const RSystem& system) {
+            return evaluate(is_conjunction ? conjunction(x, y, system) : disjunction(x, y, system),
+                            {size * a, size * b, 0.3}, 1);
+          };
+          const PointJet found = jet(field), expected = jet(constant);
+          const std::string at = "at " + std::to_string(a) + ", " + std::to_string(b) + " times ";
+          EXPECT_NEAR(found.value() / size, expected.value() / size,
+                      1e-15 * std::fabs(expected.value() / size) + 1e-300)
+              << at << size;
+          for (int axis = 0; axis < 2; ++axis)
+            EXPECT_NEAR(found.derivative(axis == 0, axis == 1),
+                        expected.derivative(axis == 0, axis == 1), 4e-15)
+                << at << size;
+        }
+}
+
 TEST_P(EveryNormalizedSystem, ConjunctionIsNormalizedOnItsFace) {
   // On {x = 0, y > 0}: x ∧ y = x + O(x²), so ∂/∂x = 1 and ∂/∂y = 0.
   const PointJet omega = evaluate(conjunction(x, y, GetParam()), {0.0, 2.0}, 1);
