@@ -7,13 +7,6 @@
 
 namespace rfm {
 
-bool same_grid(const Grid& a, const Grid& b) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (a.cells(axis) != b.cells(axis)) return false;
-  return a.dimension() == b.dimension() && a.box().low == b.box().low &&
-         a.box().high == b.box().high;
-}
-
 TensorProductSpace::TensorProductSpace(const Grid& grid, int degree,
                                        std::span<const std::uint8_t> cells)
     : grid_(grid), degree_(degree) {

@@ -8,11 +8,8 @@
 
 namespace rfm {
 
-/// Whether two grids have the same box and cells.
-bool same_grid(const Grid& a, const Grid& b);
-
-/// A space for one undetermined function Ψ: uniform tensor-product B-splines on the background grid
-/// (core/bspline.hpp), without those whose support misses the region.
+/// A space for one undetermined function Ψ: tensor-product B-splines on the background grid
+/// (core/grid_splines.hpp), without those whose support misses the region.
 ///
 /// Every space is an extraction C · B of the plain splines B of a grid: here C selects rows, one
 /// per *function* of the space. Functions are numbered in the order of their splines (x fastest),

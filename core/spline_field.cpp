@@ -7,6 +7,7 @@
 
 #include "core/bspline.hpp"
 #include "core/error.hpp"
+#include "core/grid_splines.hpp"
 #include "core/multi_index.hpp"
 
 namespace rfm {
@@ -100,8 +101,11 @@ void SplineField::evaluate_degree(const std::array<const double*, 3>& coordinate
                x <= grid_.box().high[axis] + tolerance_[axis];
       if (!inside) break;
       const int cell = grid_.locate(axis, x);
-      const double s = std::clamp((x - grid_.line(axis, cell)) / grid_.spacing(axis), 0.0, 1.0);
-      evaluate_bsplines<degree>(s, highest[axis], basis[axis]);
+      const double s = std::clamp((x - grid_.line(axis, cell)) / grid_.width(axis, cell), 0.0, 1.0);
+      if (grid_.is_uniform())
+        evaluate_bsplines<degree>(s, highest[axis], basis[axis]);
+      else
+        evaluate_bsplines(grid_, axis, cell, degree, highest[axis], s, basis[axis]);
       first += cell * step;
       step *= splines_[axis];
     }

@@ -9,7 +9,7 @@
 namespace rfm {
 
 /// A tensor-product spline on a grid as a field: f(x) = Σ_j c_j B_{j₁}(x) B_{j₂}(y) B_{j₃}(z), with
-/// the uniform B-splines of core/bspline.hpp. Along axis a there are cells(a) + degree splines;
+/// the B-splines of core/grid_splines.hpp. Along axis a there are cells(a) + degree splines;
 /// coefficients are numbered with x running fastest.
 ///
 /// The field is degree − 1 times continuously differentiable; jets of any order are those of the

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/bspline.hpp"
+#include "core/grid_splines.hpp"
 #include "core/spline_field.hpp"
 
 namespace rfm {
@@ -31,16 +31,6 @@ void contract(std::vector<double>& tensor, std::array<int, 3>& size, int axis, i
   size = new_size;
 }
 
-// c_{i+1} − c_i along an axis: coefficients of the derivative, of one degree less.
-BlossomMatrix differences(int degree) {
-  BlossomMatrix matrix{};
-  for (int i = 0; i < degree; ++i) {
-    matrix[i][i] = -1;
-    matrix[i][i + 1] = 1;
-  }
-  return matrix;
-}
-
 Interval hull_of(const std::vector<double>& values, double margin) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return {*low - margin, *high + margin};
@@ -54,16 +44,15 @@ FunctionBounds SplineField::cell_bounds(const std::array<int, 3>& cell, const Bo
   std::array<BlossomMatrix, 3> value_matrix, slope_matrix;
   for (int axis = 0; axis < dimension; ++axis) {
     size[axis] = degree_ + 1;
-    const double corner = grid_.line(axis, cell[axis]), spacing = grid_.spacing(axis);
+    const double corner = grid_.line(axis, cell[axis]), width = grid_.width(axis, cell[axis]);
     // The reference coordinate of a point is rounded too: widen by what that may cost.
-    const double slack = 4e-16 * (std::abs(corner) / spacing + 1);
-    const double low = (box.low[axis] - corner) / spacing - slack;
-    const double high = (box.high[axis] - corner) / spacing + slack;
-    value_matrix[axis] =
-        bernstein_from_bsplines(degree_, std::clamp(low, 0.0, 1.0), std::clamp(high, 0.0, 1.0));
+    const double slack = 4e-16 * (std::abs(corner) / width + 1);
+    const double low = (box.low[axis] - corner) / width - slack;
+    const double high = (box.high[axis] - corner) / width + slack;
+    const double from = std::clamp(low, 0.0, 1.0), to = std::clamp(high, 0.0, 1.0);
+    value_matrix[axis] = bernstein_from_bsplines(grid_, axis, cell[axis], degree_, from, to);
     if (degree_ > 0)
-      slope_matrix[axis] = bernstein_from_bsplines(degree_ - 1, std::clamp(low, 0.0, 1.0),
-                                                   std::clamp(high, 0.0, 1.0));
+      slope_matrix[axis] = bernstein_from_bsplines(grid_, axis, cell[axis], degree_ - 1, from, to);
   }
   std::vector<double> local;
   double magnitude = 0;
@@ -89,12 +78,14 @@ FunctionBounds SplineField::cell_bounds(const std::array<int, 3>& cell, const Bo
   for (int slope = 0; slope < dimension && degree_ > 0; ++slope) {
     tensor = local;
     shape = size;
-    contract(tensor, shape, slope, degree_, differences(degree_));
-    for (double& coefficient : tensor) coefficient /= grid_.spacing(slope);
+    const BlossomMatrix differences = derivative_coefficients(grid_, slope, cell[slope], degree_);
+    contract(tensor, shape, slope, degree_, differences);
     for (int axis = 0; axis < dimension; ++axis)
       contract(tensor, shape, axis, shape[axis],
                axis == slope ? slope_matrix[axis] : value_matrix[axis]);
-    result.gradient[slope] = hull_of(tensor, 2 * margin / grid_.spacing(slope));
+    double steepest = 0;
+    for (int i = 0; i < degree_; ++i) steepest = std::max(steepest, differences[i][i + 1]);
+    result.gradient[slope] = hull_of(tensor, 2 * margin * steepest);
   }
   return result;
 }

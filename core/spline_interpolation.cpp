@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/bspline.hpp"
 #include "core/diagnosis.hpp"
 #include "core/error.hpp"
+#include "core/grid_splines.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -26,8 +26,8 @@ class Collocation {
     for (int i = 0; i < size_; ++i) {
       const int cell = grid.locate(axis, points[i]);
       const double s =
-          std::clamp((points[i] - grid.line(axis, cell)) / grid.spacing(axis), 0.0, 1.0);
-      evaluate_bsplines(degree, 0, s, splines.data());
+          std::clamp((points[i] - grid.line(axis, cell)) / grid.width(axis, cell), 0.0, 1.0);
+      evaluate_bsplines(grid, axis, cell, degree, 0, s, splines.data());
       for (int k = 0; k <= degree; ++k)
         if (splines[k] != 0) at(i, cell + k) = splines[k];
     }

@@ -59,8 +59,7 @@ class Improvement {
         scale_(grid.box().longest_side()),
         near_(primitives_near(region, grid, start.at)),
         points_(f, constraints(region, near_, where), grid.dimension()) {
-    for (int axis = 0; axis < grid.dimension(); ++axis)
-      reach_ = std::hypot(reach_, grid.spacing(axis));
+    reach_ = grid.largest_diagonal();
   }
 
   // Over the sets of at most `dimension` boundaries that hold all of `always`.
@@ -75,9 +74,7 @@ class Improvement {
  private:
   static std::vector<int> primitives_near(const RegionEvaluator& region, const Grid& grid,
                                           const Point& point) {
-    double reach = 0;
-    for (int axis = 0; axis < grid.dimension(); ++axis)
-      reach = std::hypot(reach, grid.spacing(axis));
+    const double reach = grid.largest_diagonal();
     std::vector<int> near;
     for (int k = 0; k < region.primitive_count(); ++k) {
       Point gradient;

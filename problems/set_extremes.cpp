@@ -40,8 +40,7 @@ class SetMaximum {
   SetMaximum(const Field& f, const ThinSet& set, const ScalarProblem& problem, const Grid& grid)
       : f_(f), set_(set), region_(problem.region()), values_({f, set.where}, {0}, set.dimension) {
     scale_ = grid.box().longest_side();
-    for (int axis = 0; axis < grid.dimension(); ++axis)
-      reach_ = std::hypot(reach_, grid.spacing(axis));
+    reach_ = grid.largest_diagonal();
   }
 
   Extreme run(const std::vector<Point>& points) {

@@ -14,7 +14,7 @@ std::vector<WorstCell> worst_cells(const DomainRule& rule, int count) {
   const std::vector<CellReport>& reports = rule.report().cells;
   double side = 0;
   for (int axis = 0; axis < rule.dimension(); ++axis)
-    side = std::max(side, rule.grid().spacing(axis));
+    side = std::max(side, rule.grid().largest_width(axis));
   const auto concern = [&](int i) {
     const CellReport& cell = reports[i];
     return cell.uncertified.measure + cell.order_difference.volume + defects[i] +

@@ -39,12 +39,13 @@ class Defects {
     hints_ = {};
     std::vector<double> result;
     for (const CellReport& cell : rule_.report().cells) {
+      const std::array<int, 3> position = grid_.position(cell.cell);
       double largest = 0;
       for (int corner = 0; corner < corners_; ++corner) {
         double defect = 0;
         const Point& vector = *find(cell.cell, corner);
         for (int axis = 0; axis < dimension_; ++axis)
-          defect += std::fabs(vector[axis]) * grid_.spacing(axis) / dimension_;
+          defect += std::fabs(vector[axis]) * grid_.width(axis, position[axis]) / dimension_;
         largest = std::max(largest, defect);
       }
       result.push_back(largest);
@@ -85,15 +86,15 @@ class Defects {
   // The cell of which `node` is the given corner.
   void add_inside_cell(const std::array<int, 3>& node, int corner, Point& vector) const {
     std::array<int, 3> position = node;
-    double measure = 1;
     for (int axis = 0; axis < dimension_; ++axis) {
       position[axis] -= corner >> axis & 1;
       if (position[axis] < 0 || position[axis] >= grid_.cells(axis)) return;
-      measure *= grid_.spacing(axis);
     }
-    if (rule_.state(grid_.number(position)) != CellState::inside) return;
+    const int cell = grid_.number(position);
+    if (rule_.state(cell) != CellState::inside) return;
+    const double measure = grid_.cell_measure(cell);
     for (int axis = 0; axis < dimension_; ++axis)
-      vector[axis] -= (corner >> axis & 1 ? 1 : -1) * measure / grid_.spacing(axis) *
+      vector[axis] -= (corner >> axis & 1 ? 1 : -1) * measure / grid_.width(axis, position[axis]) *
                       std::ldexp(1.0, 1 - dimension_);
   }
 
@@ -102,7 +103,7 @@ class Defects {
                    Moments& moments) const {
     Moments products{weight};
     for (int axis = 0; axis < dimension_; ++axis) {
-      const double t = (points.coordinates[axis][i] - box.low[axis]) / grid_.spacing(axis);
+      const double t = (points.coordinates[axis][i] - box.low[axis]) / box.length(axis);
       for (int set = 0; set < 1 << axis; ++set) products[set | 1 << axis] = products[set] * t;
     }
     for (int set = 0; set < corners_; ++set) moments[set] += products[set];
@@ -132,7 +133,7 @@ class Defects {
     for (int axis = 0; axis < dimension_; ++axis) {
       const Moments sums = of_corners(moments, axis);
       for (int corner = 0; corner < corners_; ++corner)
-        vectors[corner][axis] = (corner >> axis & 1 ? -1 : 1) * sums[corner] / grid_.spacing(axis);
+        vectors[corner][axis] = (corner >> axis & 1 ? -1 : 1) * sums[corner] / box.length(axis);
     }
     add(cell, vectors);
   }

@@ -25,10 +25,11 @@ double SurfaceRule::measure(int number) const {
 }
 
 double DomainRule::measure() const {
-  double cell = 1;
-  for (int axis = 0; axis < dimension(); ++axis) cell *= grid_.spacing(axis);
   CompensatedSum sum;
-  sum.add(cell * static_cast<double>(inside_cells_.size()));
+  if (grid_.is_uniform())
+    sum.add(grid_.cell_measure(0) * static_cast<double>(inside_cells_.size()));
+  else
+    for (const int cell : inside_cells_) sum.add(grid_.cell_measure(cell));
   for (const double weight : cut_points_.weights) sum.add(weight);
   return sum.value();
 }

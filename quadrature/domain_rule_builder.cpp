@@ -28,7 +28,7 @@ class DomainRuleBuilder {
     gauss_legendre(options.cut_points);
     for (const Grading& grading : options.gradings) check(grading);
     for (int axis = 0; axis < grid.dimension(); ++axis)
-      spacing_ = std::max(spacing_, grid.spacing(axis));
+      spacing_ = std::max(spacing_, grid.largest_width(axis));
   }
 
   DomainRule run() {
@@ -180,11 +180,12 @@ class DomainRuleBuilder {
       }
     }
     const Grid& grid = rule_.grid_;
-    double cell_measure = 1;
-    for (int axis = 0; axis < grid.dimension(); ++axis) cell_measure *= grid.spacing(axis);
     for (int cell = 0; cell < grid.cell_count(); ++cell)
       if (rule_.states_[cell] == CellState::inside) rule_.inside_cells_.push_back(cell);
-    measure.add(cell_measure * static_cast<double>(rule_.inside_cells_.size()));
+    if (grid.is_uniform())
+      measure.add(grid.cell_measure(0) * static_cast<double>(rule_.inside_cells_.size()));
+    else
+      for (const int cell : rule_.inside_cells_) measure.add(grid.cell_measure(cell));
     report.inside_cells = static_cast<int>(rule_.inside_cells_.size());
     report.cut_cells = static_cast<int>(rule_.cut_cells_.size());
     report.divergence_defect = std::fabs(flux.value() / grid.dimension() - measure.value());

@@ -21,7 +21,7 @@ int inner_cell(const Grid& grid, const std::vector<CellState>& states, int cell,
                const Point& normal) {
   std::array<int, 3> position = grid.position(cell);
   for (int axis = 0; axis < grid.dimension(); ++axis) {
-    const double same = 1e-12 * grid.spacing(axis);
+    const double same = 1e-12 * grid.width(axis, position[axis]);
     const int low = position[axis];
     if (normal[axis] > 0 && low > 0 && std::fabs(point[axis] - grid.line(axis, low)) <= same)
       --position[axis];

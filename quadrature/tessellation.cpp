@@ -44,9 +44,6 @@ Tessellation tessellate(const RegionEvaluator& region, const Grid& grid,
   std::vector<int> cut_number(grid.cell_count(), -1);
   for (std::size_t i = 0; i < classification.cut_cells.size(); ++i)
     cut_number[classification.cut_cells[i]] = static_cast<int>(i);
-  Point spacing{};
-  for (int axis = 0; axis < grid.dimension(); ++axis)
-    spacing[axis] = grid.spacing(axis) / options.subdivisions;
 
   constexpr int part_size = 64;
   std::vector<Tessellation> parts((grid.cell_count() + part_size - 1) / part_size);
@@ -56,6 +53,9 @@ Tessellation tessellate(const RegionEvaluator& region, const Grid& grid,
     const int first = static_cast<int>(p) * part_size;
     for (int cell = first; cell < std::min(first + part_size, grid.cell_count()); ++cell) {
       const auto position = grid.position(cell);
+      Point spacing{};
+      for (int axis = 0; axis < grid.dimension(); ++axis)
+        spacing[axis] = grid.width(axis, position[axis]) / options.subdivisions;
       Tessellator tessellator(grid.box(), spacing, part);
       const auto visit = [&](const Box& box, const ActiveSet& active) {
         part.uncertified += subdivision.run(box, active, tessellator);

@@ -20,7 +20,7 @@ void require_consistent(std::span<const TensorProductSpace> spaces, const Domain
   if (spaces.empty())
     throw InvalidArgument("assembly needs a space for every undetermined function");
   for (const TensorProductSpace& space : spaces)
-    if (!same_grid(space.grid(), rule.grid()))
+    if (!(space.grid() == rule.grid()))
       throw InvalidArgument("spaces and the rule of quadrature must share one background grid");
 }
 
@@ -37,12 +37,11 @@ std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree) {
   const double smallest_part = part_of_a_touch(rule.dimension(), degree);
   std::vector<std::uint8_t> cells(rule.grid().cell_count());
   for (const int cell : rule.inside_cells()) cells[cell] = 1;
-  double measure = 1;
-  for (int axis = 0; axis < rule.dimension(); ++axis) measure *= rule.grid().spacing(axis);
   for (std::size_t i = 0; i < rule.cut_cells().size(); ++i) {
     const PointRange range = rule.cut_range(static_cast<int>(i));
     const auto first = rule.cut_points().weights.begin();
-    const double part = std::accumulate(first + range.begin, first + range.end, 0.0) / measure;
+    const double part = std::accumulate(first + range.begin, first + range.end, 0.0) /
+                        rule.grid().cell_measure(rule.cut_cells()[i]);
     cells[rule.cut_cells()[i]] = part > smallest_part;
   }
   return cells;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/bspline.hpp"
 #include "core/error.hpp"
+#include "core/grid_splines.hpp"
 #include "solvers/outer_products.hpp"
 
 namespace rfm {
@@ -66,14 +66,14 @@ void BasisValues::evaluate(int cell, const IntegrandPoints& points, int first, i
   std::array<double, 3> low{}, inverse{};
   for (int axis = 0; axis < grid.dimension(); ++axis) {
     low[axis] = grid.line(axis, position[axis]);
-    inverse[axis] = 1 / grid.spacing(axis);
+    inverse[axis] = 1 / grid.width(axis, position[axis]);
   }
   for (int point = first; point < last; ++point) {
     std::array<double, 3> reference{};
     for (int axis = 0; axis < grid.dimension(); ++axis)
       reference[axis] =
           std::clamp((points.coordinates[axis][point] - low[axis]) * inverse[axis], 0.0, 1.0);
-    evaluate_point(point - first, reference);
+    evaluate_point(point - first, position, reference);
   }
 }
 
@@ -84,10 +84,11 @@ void BasisValues::evaluate_reference(std::span<const double> nodes) {
   int point = 0;
   for (int k = 0; k < lines_z; ++k)
     for (int j = 0; j < lines_y; ++j)
-      for (int i = 0; i < count; ++i) evaluate_point(point++, {nodes[i], nodes[j], nodes[k]});
+      for (int i = 0; i < count; ++i) evaluate_point(point++, {}, {nodes[i], nodes[j], nodes[k]});
 }
 
-void BasisValues::evaluate_point(int point, const std::array<double, 3>& reference) {
+void BasisValues::evaluate_point(int point, const std::array<int, 3>& cell,
+                                 const std::array<double, 3>& reference) {
   double line[3][(highest_derivative + 1) * (maximum_spline_degree + 1)];
   int tabulated = -1;  // the unknown whose splines are in `line`
   for (std::size_t m = 0; m < derivatives_.size(); ++m) {
@@ -96,7 +97,8 @@ void BasisValues::evaluate_point(int point, const std::array<double, 3>& referen
     const int width = space.degree() + 1, dimension = space.dimension();
     if (tabulated != unknown) {
       for (int axis = 0; axis < dimension; ++axis)
-        evaluate_bsplines(space.degree(), order_[unknown], reference[axis], line[axis]);
+        evaluate_bsplines(space.grid(), axis, cell[axis], space.degree(), order_[unknown],
+                          reference[axis], line[axis]);
       for (int axis = dimension; axis < 3; ++axis) line[axis][0] = 1;
       tabulated = unknown;
     }

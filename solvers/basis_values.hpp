@@ -19,7 +19,8 @@ class BasisValues {
 
   /// The points `first` … `last` − 1 in cell `cell`.
   void evaluate(int cell, const IntegrandPoints& points, int first, int last);
-  /// The tensor product of `nodes` ∈ [0, 1] along each axis, x running fastest, in any cell.
+  /// The tensor product of `nodes` ∈ [0, 1] along each axis, x running fastest, in any cell of a
+  /// grid of equal cells.
   void evaluate_reference(std::span<const double> nodes);
 
   int points() const { return points_; }
@@ -31,7 +32,8 @@ class BasisValues {
 
  private:
   void set_points(int points);
-  void evaluate_point(int point, const std::array<double, 3>& reference);
+  void evaluate_point(int point, const std::array<int, 3>& cell,
+                      const std::array<double, 3>& reference);
 
   std::span<const TensorProductSpace> spaces_;
   std::span<const CompiledIntegrand::BasisDerivative> derivatives_;

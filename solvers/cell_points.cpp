@@ -30,22 +30,21 @@ void CellPointIndex::add_inside(int cell, IntegrandPoints& points) const {
   const GaussRule& rule = inside_rule_;
   const std::array<int, 3> position = grid.position(cell);
   const int dimension = grid.dimension(), size = rule.size();
-  std::array<double, 3> low{};
+  std::array<double, 3> low{}, side{};
   double measure = 1;
   for (int axis = 0; axis < dimension; ++axis) {
     low[axis] = grid.line(axis, position[axis]);
-    measure *= grid.spacing(axis);
+    side[axis] = grid.width(axis, position[axis]);
+    measure *= side[axis];
   }
   for (int k = 0; k < (dimension > 2 ? size : 1); ++k)
     for (int j = 0; j < (dimension > 1 ? size : 1); ++j) {
       const double factor =
           measure * (dimension > 1 ? rule.weights[j] : 1) * (dimension > 2 ? rule.weights[k] : 1);
       for (int i = 0; i < size; ++i) {
-        points.coordinates[0].push_back(low[0] + rule.nodes[i] * grid.spacing(0));
-        if (dimension > 1)
-          points.coordinates[1].push_back(low[1] + rule.nodes[j] * grid.spacing(1));
-        if (dimension > 2)
-          points.coordinates[2].push_back(low[2] + rule.nodes[k] * grid.spacing(2));
+        points.coordinates[0].push_back(low[0] + rule.nodes[i] * side[0]);
+        if (dimension > 1) points.coordinates[1].push_back(low[1] + rule.nodes[j] * side[1]);
+        if (dimension > 2) points.coordinates[2].push_back(low[2] + rule.nodes[k] * side[2]);
         points.weights.push_back(factor * rule.weights[i]);
       }
     }

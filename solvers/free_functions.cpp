@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/grid_splines.hpp"
 #include "solvers/integrate.hpp"
 
 namespace rfm {
@@ -13,11 +14,10 @@ bool is_free(const Structure& structure, int unknown) {
   return term.unknown == unknown && degree(term.derivative) == 0 && term.coefficient.is_constant(1);
 }
 
-// The coefficients of a coordinate: splines reproduce x with the means of their inner knots.
+// The coefficients of a coordinate.
 double coordinate_of(const TensorProductSpace& space, int function, int axis) {
-  const int place = space.place(space.spline_of_function(function))[axis];
-  return space.grid().box().low[axis] +
-         (place - 0.5 * (space.degree() - 1)) * space.grid().spacing(axis);
+  return greville_point(space.grid(), axis, space.degree(),
+                        space.place(space.spline_of_function(function))[axis]);
 }
 
 Field inner(const std::vector<Field>& a, const std::vector<Field>& b) {

@@ -10,7 +10,7 @@ StencilMatrix::StencilMatrix(std::span<const TensorProductSpace> spaces,
     : spaces_(spaces), symmetric_(symmetric), offsets_{0}, block_number_(coupled.size(), -1) {
   const int count = static_cast<int>(spaces.size());
   for (const TensorProductSpace& space : spaces) {
-    if (!same_grid(space.grid(), spaces[0].grid()))
+    if (!(space.grid() == spaces[0].grid()))
       throw InvalidArgument("all undetermined functions must share one background grid");
     offsets_.push_back(offsets_.back() + space.size());
   }

@@ -63,7 +63,7 @@ void TileIntegrator::add_volume(int cell) {
     make_room(inside_values_.points());
     const int first = points_.size();
     plan_.index.add_inside(cell, points_);
-    items_.push_back({cell, first, points_.size(), true});
+    items_.push_back({cell, first, points_.size(), plan_.rule.grid().is_uniform()});
   } else if (state == CellState::cut) {
     add_in_parts(cell, plan_.index.cut_range(cell),
                  [&](PointRange part) { plan_.index.add_cut(part, points_); });
@@ -96,8 +96,8 @@ void TileIntegrator::flush() {
   if (items_.empty()) return;
   values_.evaluate(points_, plan_.arguments.time, plan_.arguments.parameters);
   for (const Item& item : items_) {
-    if (!item.inside) basis_.evaluate(item.cell, points_, item.first, item.last);
-    kernel_.compute(values_, item.first, item.inside ? inside_values_ : basis_);
+    if (!item.tabulated) basis_.evaluate(item.cell, points_, item.first, item.last);
+    kernel_.compute(values_, item.first, item.tabulated ? inside_values_ : basis_);
     for (int i = 0; i < static_cast<int>(kernel_.pairings().size()); ++i) {
       const auto& [row, column, slots] = kernel_.pairings()[i];
       sums_->matrix.add(item.cell, row, column, kernel_.matrix(i), kernel_.stride(i));

@@ -50,10 +50,10 @@ class TileIntegrator {
   void integrate(const CellTiles& tiles, int tile, AssemblySums& sums);
 
  private:
-  // Points first … last − 1 of the batch are in `cell`.
+  // Points first … last − 1 of the batch are in `cell`, and may be those of any cell inside.
   struct Item {
     int cell = 0, first = 0, last = 0;
-    bool inside = false;
+    bool tabulated = false;
   };
   void add_volume(int cell);
   void add_surface(int cell);

@@ -85,6 +85,69 @@ TEST(Grid, LocateFindsTheCellOfACoordinate) {
   }
 }
 
+const std::vector<double> uneven[] = {{-1, 0, 0.25, 2}, {3, 3.9, 4}};
+
+TEST(Grid, OfGivenLinesHasTheCellsBetweenThem) {
+  const Grid grid = Grid::with_lines(uneven);
+  EXPECT_FALSE(grid.is_uniform());
+  EXPECT_EQ(grid.cell_count(), 6);
+  EXPECT_EQ(grid.box().low[0], -1);
+  EXPECT_EQ(grid.box().high[1], 4);
+  double measure = 0;
+  for (int cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto [i, j, k] = grid.position(cell);
+    const Box box = grid.cell({i, j, k});
+    EXPECT_EQ(box.low[0], uneven[0][i]);
+    EXPECT_EQ(box.high[1], uneven[1][j + 1]);
+    EXPECT_EQ(grid.width(0, i), uneven[0][i + 1] - uneven[0][i]);
+    EXPECT_EQ(grid.cell_measure(cell), box.measure());
+    measure += box.measure();
+  }
+  EXPECT_NEAR(measure, 3, 1e-15);
+  EXPECT_EQ(grid.spacing(0), 1);  // the mean
+  EXPECT_EQ(grid.smallest_width(0), 0.25);
+  EXPECT_EQ(grid.largest_width(0), 1.75);
+  EXPECT_NEAR(grid.largest_diagonal(), std::hypot(1.75, 0.9), 1e-15);
+  EXPECT_NEAR(Grid(oblong, {3, 2, 1}).largest_diagonal(), std::hypot(1, 0.5), 1e-15);
+}
+
+TEST(Grid, OfGivenLinesLocatesAsAnyOther) {
+  const Grid grid = Grid::with_lines(uneven);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(grid.locate(0, uneven[0][i]), i);
+    EXPECT_EQ(grid.locate(0, std::nextafter(uneven[0][i], -9)), std::max(i - 1, 0));
+  }
+  EXPECT_EQ(grid.locate(0, -7), 0);
+  EXPECT_EQ(grid.locate(0, 2), 2);
+  EXPECT_EQ(grid.locate(0, 1e9), 2);
+}
+
+TEST(Grid, KnotsGoOnBeyondTheBoxWithTheOutermostWidths) {
+  const Grid grid = Grid::with_lines(uneven), equal(oblong, {3, 2, 1});
+  EXPECT_EQ(grid.knot(0, -2), -3);
+  EXPECT_EQ(grid.knot(0, 1), 0);
+  EXPECT_EQ(grid.knot(0, 5), 2 + 2 * 1.75);
+  EXPECT_EQ(equal.knot(1, -1), 2.5);
+  EXPECT_EQ(equal.knot(1, 3), 4.5);
+}
+
+TEST(Grid, EqualGridsAreThoseWithTheSameLines) {
+  const std::vector<double> even[] = {{-1, 0, 1, 2}, {3, 3.5, 4}};
+  const Grid grid = Grid::with_lines(uneven), equal(oblong, {3, 2, 1});
+  EXPECT_EQ(grid, Grid::with_lines(uneven));
+  EXPECT_EQ(equal, Grid::with_lines(even));
+  EXPECT_FALSE(grid == equal);
+  EXPECT_FALSE(equal == Grid(oblong, {3, 3, 1}));
+  EXPECT_FALSE(equal == Grid({2, {-1, 3}, {2, 4.5}}, {3, 2, 1}));
+}
+
+TEST(Grid, LinesThatDoNotAscendAreRefused) {
+  for (const std::vector<double>& bad :
+       {std::vector<double>{0}, {0, 1, 1, 2}, {0, 2, 1}, {0, NAN, 1}, {0, 1, INFINITY}})
+    EXPECT_THROW(Grid::with_lines(std::vector<std::vector<double>>{bad}), InvalidArgument);
+  EXPECT_THROW(Grid::with_lines({}), InvalidArgument);
+}
+
 TEST(Grid, ImpossibleGridsAreRefused) {
   EXPECT_THROW(Grid(oblong, {0, 1, 1}), InvalidArgument);
   EXPECT_THROW(Grid(oblong, {2, -1, 1}), InvalidArgument);

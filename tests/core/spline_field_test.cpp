@@ -29,8 +29,7 @@ std::vector<double> monomial_coefficients(const Grid& grid, int axis, int degree
     symmetric[0] = 1;
     for (int n = 1; n <= degree; ++n)
       for (int m = n; m >= 1; --m)
-        symmetric[m] +=
-            (grid.box().low[axis] + (j - degree + n) * grid.spacing(axis)) * symmetric[m - 1];
+        symmetric[m] += grid.knot(axis, j - degree + n) * symmetric[m - 1];
     result.push_back(symmetric[power] / binomial(degree, power));
   }
   return result;
@@ -66,14 +65,29 @@ const Grid oblong({3, {-0.3, 0.1, 0.4}, {0.9, 0.7, 1.3}}, {5, 3, 4});
 const Grid rectangle({2, {-0.3, 0.1}, {0.9, 0.7}}, {5, 3, 1});
 const Grid interval({1, {-0.3}, {0.9}}, {5, 1, 1});
 
-class Splines : public testing::TestWithParam<std::tuple<int, int>> {};
+// The same boxes with cells that differ by a factor of 20.
+Grid unequal(int dimension) {
+  const std::vector<double> lines[] = {
+      {-0.3, -0.1, 0.3, 0.32, 0.38, 0.9}, {0.1, 0.45, 0.47, 0.7}, {0.4, 0.5, 0.7, 1.2, 1.3}};
+  return Grid::with_lines(std::span(lines, static_cast<std::size_t>(dimension)));
+}
+
+class Splines : public testing::TestWithParam<std::tuple<int, int, bool>> {
+ protected:
+  int dimension() const { return std::get<0>(GetParam()); }
+  int degree() const { return std::get<1>(GetParam()); }
+  Grid grid() const {
+    if (!std::get<2>(GetParam())) return unequal(dimension());
+    return dimension() == 1 ? interval : dimension() == 2 ? rectangle : oblong;
+  }
+};
 INSTANTIATE_TEST_SUITE_P(SplineField, Splines,
-                         testing::Combine(testing::Values(1, 2, 3),
-                                          testing::Values(1, 2, 3, 5, 8)));
+                         testing::Combine(testing::Values(1, 2, 3), testing::Values(1, 2, 3, 5, 8),
+                                          testing::Bool()));
 
 TEST_P(Splines, WithMarsdensCoefficientsAreMonomialsInAllTheirDerivatives) {
-  const auto [dimension, degree] = GetParam();
-  const Grid& grid = dimension == 1 ? interval : dimension == 2 ? rectangle : oblong;
+  const int dimension = this->dimension(), degree = this->degree();
+  const Grid grid = this->grid();
   const int order = std::min(4, degree);
   MultiIndex power{};
   for (int axis = 0; axis < dimension; ++axis)
@@ -90,7 +104,7 @@ TEST_P(Splines, WithMarsdensCoefficientsAreMonomialsInAllTheirDerivatives) {
           for (int axis = 0; axis < dimension; ++axis) {
             const int n = power[axis], m = alpha[axis];
             expected *= m > n ? 0 : binomial(n, m) * std::pow(point[axis], n - m);
-            scale *= std::pow(4 / grid.spacing(axis), m);
+            scale *= std::pow(4 / grid.smallest_width(axis), m);
           }
           EXPECT_NEAR(jet[jet_index(dimension, alpha)], expected, 1e-15 * scale * 16)
               << i << j << k;
@@ -146,8 +160,8 @@ TEST(SplineField, DoesNotExtrapolate) {
 }
 
 TEST_P(Splines, StayWithinTheirBounds) {
-  const auto [dimension, degree] = GetParam();
-  const Grid& grid = dimension == 1 ? interval : dimension == 2 ? rectangle : oblong;
+  const int dimension = this->dimension(), degree = this->degree();
+  const Grid grid = this->grid();
   const SplineField spline = random_spline(grid, degree);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(0, 1);

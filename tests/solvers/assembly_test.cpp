@@ -22,7 +22,7 @@ const Field x = x_coordinate(), y = y_coordinate(), z = z_coordinate();
 // different degrees (one on a part of the region only), derivatives of second order, normals, a
 // restriction, inhomogeneous parts.
 struct CoupledProblem {
-  Grid grid = triangle_grid(5);
+  Grid grid;
   DomainRule rule = rule_for(triangle(), grid, 3);
   std::vector<TensorProductSpace> spaces{{grid, 2, cells_in_region(rule)},
                                          {grid, 3, cells_of_a_band()}};
@@ -40,7 +40,7 @@ struct CoupledProblem {
     return cells;
   }
 
-  CoupledProblem() {
+  explicit CoupledProblem(const Grid& grid = triangle_grid(5)) : grid(grid) {
     QuadraticEnergy volume;
     volume.add_stiffness(slope(0, 0), slope(0, 0), 2.0 + x);
     volume.add_stiffness(slope(1, 0), slope(0, 1), y);
@@ -68,8 +68,14 @@ struct CoupledProblem {
   }
 };
 
-TEST(Assembly, GivesTheEnergyOfTheSolutionField) {
-  const CoupledProblem problem;
+class AssemblyOn : public testing::TestWithParam<Grid> {};
+const std::vector<double> unequal_lines[] = {{-0.9, -0.7, -0.2, 0.4, 0.45, 1.3},
+                                             {-0.2, 0.1, 0.2, 0.9, 1.3}};
+INSTANTIATE_TEST_SUITE_P(Grids, AssemblyOn,
+                         testing::Values(triangle_grid(5), Grid::with_lines(unequal_lines)));
+
+TEST_P(AssemblyOn, GivesTheEnergyOfTheSolutionField) {
+  const CoupledProblem problem(GetParam());
   const LinearSystem system =
       assemble(problem.structures, problem.spaces, problem.contributions, problem.rule);
   ASSERT_EQ(system.size(), problem.spaces[0].size() + problem.spaces[1].size());
