@@ -110,6 +110,25 @@ WebExtension::WebExtension(const TensorProductSpace& space, std::span<const std:
     for (const int function : functions)
       if (function >= 0) is_inner[space.spline_of_function(function)] = true;
   }
+  extend(space, is_inner);
+}
+
+WebExtension WebExtension::of_inner(const TensorProductSpace& space,
+                                    const std::vector<bool>& inner) {
+  if (inner.size() != std::size_t(space.size()))
+    throw InvalidArgument("an extension takes a flag for every function");
+  std::vector<bool> is_inner(space.spline_count(), false);
+  for (int function = 0; function < space.size(); ++function)
+    is_inner[space.spline_of_function(function)] = inner[function];
+  WebExtension web;
+  web.extend(space, is_inner);
+  return web;
+}
+
+// By spline.
+void WebExtension::extend(const TensorProductSpace& space, const std::vector<bool>& is_inner) {
+  if (!space.grid().is_uniform())
+    throw InvalidArgument("splines are extended on grids of equal cells only");
   std::vector<int> number(space.spline_count(), -1);
   for (int function = 0; function < space.size(); ++function)
     if (is_inner[space.spline_of_function(function)]) {

@@ -28,9 +28,12 @@ class WebExtension {
   };
 
   /// `inside[c]` ≠ 0 marks the cells of the grid that lie inside the region. Throws
-  /// `InvalidArgument` when there are not as many as cells, or no (p + 1)^d inner splines are
-  /// neighbours anywhere.
+  /// `InvalidArgument` when there are not as many as cells, when cells are not equal, or when no
+  /// (p + 1)^d inner splines are neighbours anywhere.
   WebExtension(const TensorProductSpace& space, std::span<const std::uint8_t> inside);
+
+  /// The same with inner functions of one's own choice: `inner[f]` tells of function f.
+  static WebExtension of_inner(const TensorProductSpace& space, const std::vector<bool>& inner);
 
   /// Number of inner functions.
   int size() const { return static_cast<int>(inner_.size()); }
@@ -40,6 +43,9 @@ class WebExtension {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  WebExtension() = default;
+  void extend(const TensorProductSpace& space, const std::vector<bool>& is_inner);
+
   std::vector<int> inner_;
   std::vector<Entry> entries_;
 };

@@ -10,6 +10,7 @@
 #include "solvers/basis_values.hpp"
 #include "solvers/cell_points.hpp"
 #include "solvers/equations.hpp"
+#include "solvers/linear_solver.hpp"
 #include "solvers/solution.hpp"
 #include "solvers/sparse_qr.hpp"
 
@@ -24,8 +25,9 @@ class ResidualRows {
  public:
   ResidualRows(const Form& form, const Form::ResidualRow& residual,
                std::span<const Structure> changes, std::span<const TensorProductSpace> spaces,
-               const DomainRule& rule)
+               const DomainRule& rule, const CollocationPoints* own)
       : place_(form.place()),
+        own_(own),
         spaces_(spaces),
         rule_(rule),
         index_(rule),
@@ -44,6 +46,8 @@ class ResidualRows {
       if (place_.place != Place::volume)
         index_.add_surface(place_.place, index_.surface_range(place_.place, cell), place_.numbers,
                            points_);
+      else if (own_)
+        add_own(cell);
       else if (rule_.state(cell) == CellState::inside)
         index_.add_inside(cell, points_);
       else if (rule_.state(cell) == CellState::cut)
@@ -60,6 +64,14 @@ class ResidualRows {
     part.where = form.place().where;
     for (const auto& [slot, slope] : residual.slopes) part.energy.add_load(slot, slope);
     return part;
+  }
+
+  void add_own(int cell) {
+    for (int i = own_->begin[cell]; i < own_->begin[cell + 1]; ++i) {
+      for (int axis = 0; axis < rule_.dimension(); ++axis)
+        points_.coordinates[axis].push_back(own_->points.coordinates[axis][i]);
+      points_.weights.push_back(own_->points.weights[i]);
+    }
   }
 
   void add_cell(int cell, Triplets& entries, std::vector<double>& right_hand_side) {
@@ -109,6 +121,7 @@ class ResidualRows {
   }
 
   FormPlace place_;
+  const CollocationPoints* own_;
   std::span<const TensorProductSpace> spaces_;
   const DomainRule& rule_;
   CellPointIndex index_;
@@ -125,12 +138,18 @@ class ResidualRows {
 
 CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> components,
                             std::span<const Structure> changes,
-                            std::span<const TensorProductSpace> spaces, const DomainRule& rule) {
+                            std::span<const TensorProductSpace> spaces, const DomainRule& rule,
+                            std::span<const CollocationPoints> volume) {
   Triplets entries;
   std::vector<double> right_hand_side;
+  std::size_t next = 0;
   for (const Form& form : forms)
-    for (const Form::ResidualRow& residual : form.residual_rows(components))
-      ResidualRows(form, residual, changes, spaces, rule).add(entries, right_hand_side);
+    for (const Form::ResidualRow& residual : form.residual_rows(components)) {
+      const CollocationPoints* own = nullptr;
+      if (form.place().place == Place::volume && !volume.empty())
+        own = &volume[std::min(next++, volume.size() - 1)];
+      ResidualRows(form, residual, changes, spaces, rule, own).add(entries, right_hand_side);
+    }
   Eigen::Index columns = 0;
   for (const TensorProductSpace& space : spaces) columns += space.size();
   CollocationSystem system;
@@ -141,33 +160,39 @@ CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> 
   return system;
 }
 
-NewtonSolution solve_collocation(std::span<const Structure> structures,
-                                 std::span<const TensorProductSpace> spaces,
-                                 std::span<const Form> forms, const DomainRule& rule,
-                                 const NewtonOptions& options) {
-  std::vector<Structure> changes;
-  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+namespace {
+
+// The step, and how it was found.
+Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& report) {
+  if (system.matrix.rows() == system.matrix.cols()) {
+    LinearSystem square;
+    square.symmetric = false;
+    square.matrix = system.matrix;
+    square.right_hand_side = system.right_hand_side;
+    report = rfm::solve(square);
+    return report.coefficients;
+  }
+  report.method = LinearSolution::Method::qr;
+  LeastSquaresSolution least = least_squares_solution(system.matrix, system.right_hand_side);
+  report.smallest_eigenvalue = least.smallest_singular_value;
+  return std::move(least.solution);
+}
+
+}  // namespace
+
+NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options) {
   NewtonSolution solution;
-  solution.linear.method = LinearSolution::Method::qr;
-  const bool is_linear = std::ranges::all_of(forms, &Form::is_linear);
-  const auto at = [&](const Eigen::VectorXd& coefficients) {
-    return collocate(forms, solution_fields(structures, spaces, coefficients), changes, spaces,
-                     rule);
-  };
-  Eigen::Index size = 0;
-  for (const TensorProductSpace& space : spaces) size += space.size();
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(size);
-  CollocationSystem system = at(coefficients);
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.size);
+  CollocationSystem system = problem.at(unknowns);
   for (int i = 0; i < options.largest_iteration_count; ++i) {
     NewtonIteration& iteration = solution.iterations.emplace_back();
     iteration.residual = system.right_hand_side.norm();
-    const Eigen::VectorXd step = least_squares_solution(system.matrix, system.right_hand_side);
-    const double whole = (coefficients + step).norm();
+    const Eigen::VectorXd step = full_step(system, solution.linear);
+    const double whole = (unknowns + step).norm();
     iteration.step = whole > 0 ? step.norm() / whole : 0;
-    if (is_linear || iteration.step <= options.tolerance) {
-      coefficients += step;
-      if (is_linear) solution.iterations.clear();
-      solution.linear.coefficients = std::move(coefficients);
+    if (problem.is_linear || iteration.step <= options.tolerance) {
+      if (problem.is_linear) solution.iterations.clear();
+      solution.linear.coefficients = unknowns + step;
       return solution;
     }
     for (;; iteration.damping /= 2) {
@@ -175,10 +200,10 @@ NewtonSolution solve_collocation(std::span<const Structure> structures,
         throw ComputationError(
             "Gauss's and Newton's method does not converge: the residuals fall "
             "no further along the step");
-      const Eigen::VectorXd next = coefficients + iteration.damping * step;
-      system = at(next);
+      const Eigen::VectorXd next = unknowns + iteration.damping * step;
+      system = problem.at(next);
       if (system.right_hand_side.norm() <= iteration.residual * (1 + 1e-10)) {
-        coefficients = next;
+        unknowns = next;
         break;
       }
     }
@@ -186,6 +211,22 @@ NewtonSolution solve_collocation(std::span<const Structure> structures,
   throw ComputationError(
       fmt::format("Gauss's and Newton's method does not converge: no solution after {} steps",
                   solution.iterations.size()));
+}
+
+NewtonSolution solve_collocation(std::span<const Structure> structures,
+                                 std::span<const TensorProductSpace> spaces,
+                                 std::span<const Form> forms, const DomainRule& rule,
+                                 const NewtonOptions& options) {
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  ResidualProblem problem;
+  problem.is_linear = std::ranges::all_of(forms, &Form::is_linear);
+  for (const TensorProductSpace& space : spaces) problem.size += space.size();
+  problem.at = [&](const Eigen::VectorXd& coefficients) {
+    return collocate(forms, solution_fields(structures, spaces, coefficients), changes, spaces,
+                     rule);
+  };
+  return solve_residuals(problem, options);
 }
 
 }  // namespace rfm

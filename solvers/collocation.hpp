@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
@@ -18,22 +20,41 @@ struct CollocationSystem {
   Eigen::VectorXd right_hand_side;
 };
 
+/// Points by cell: those of cell c are begin[c] … begin[c + 1] − 1.
+struct CollocationPoints {
+  VolumePoints points;
+  std::vector<int> begin;
+};
+
 /// Residuals of `forms` (least squares, others are refused with `InvalidArgument`) and their
 /// derivatives where the solution is `components`; `changes` are structures without inhomogeneous
-/// part. Residuals over the volume are taken at the points of the rule in cells, those over the
-/// boundary at its boundary points.
+/// part. Residuals over the volume are taken at the points of the rule in cells, or those of the
+/// volume's k-th residual at the points `volume[k]` (at `volume[0]` if there are no others),
+/// residuals over the boundary at its boundary points.
 CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> components,
                             std::span<const Structure> changes,
-                            std::span<const TensorProductSpace> spaces, const DomainRule& rule);
+                            std::span<const TensorProductSpace> spaces, const DomainRule& rule,
+                            std::span<const CollocationPoints> volume = {});
 
 /// Collocation: the equations hold at points, more of them than there are unknowns (Gauss points
 /// of a rule with few points per cell, on the boundary too), in the sense of least squares, by a
 /// Q R factorisation (solvers/sparse_qr.hpp). Nonlinear residuals by Gauss's and Newton's method,
 /// as in `solve_newton`, to which `options` belong. As exact as least squares with integrals, from
-/// fewer points, and conditioned as the root of their normal equations.
+/// fewer points, and conditioned as the root of their normal equations. With a rule that integrates
+/// the squares it *is* least squares.
 NewtonSolution solve_collocation(std::span<const Structure> structures,
                                  std::span<const TensorProductSpace> spaces,
                                  std::span<const Form> forms, const DomainRule& rule,
                                  const NewtonOptions& options = {});
+
+/// A nonlinear least-squares problem in a vector y.
+struct ResidualProblem {
+  std::function<CollocationSystem(const Eigen::VectorXd&)> at;
+  Eigen::Index size = 0;
+  bool is_linear = false;
+};
+/// Gauss's and Newton's method from y = 0, each step by Q R, or by a factorisation with pivots
+/// where there are as many residuals as unknowns.
+NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options);
 
 }  // namespace rfm

@@ -21,9 +21,30 @@ class Cholmod {
   cholmod_common common{};
 };
 
+double smallest_singular_value(const cholmod_sparse& r) {
+  const auto size = static_cast<Eigen::Index>(r.ncol);
+  const Eigen::Map<const SparseMatrix> upper(
+      size, size, static_cast<const std::int64_t*>(r.p)[size],
+      static_cast<const std::int64_t*>(r.p), static_cast<const std::int64_t*>(r.i),
+      static_cast<const double*>(r.x));
+  // Alternating signs have a share of what oscillates, as the smallest ones do.
+  Eigen::VectorXd vector(size);
+  for (Eigen::Index i = 0; i < size; ++i) vector[i] = i % 2 == 0 ? 1 : -0.7;
+  double value = 0;
+  for (int step = 0; step < 2; ++step) {
+    vector.normalize();
+    const Eigen::VectorXd half =
+        upper.transpose().triangularView<Eigen::Lower>().solve(vector).eval();
+    vector = upper.triangularView<Eigen::Upper>().solve(half).eval();
+    value = half.norm() / vector.norm();
+  }
+  return value;
+}
+
 }  // namespace
 
-Eigen::VectorXd least_squares_solution(const SparseMatrix& matrix, const Eigen::VectorXd& load) {
+LeastSquaresSolution least_squares_solution(const SparseMatrix& matrix,
+                                            const Eigen::VectorXd& load) {
   if (matrix.rows() < matrix.cols())
     throw ComputationError(
         fmt::format("there are {} equations for {} unknowns", matrix.rows(), matrix.cols()));
@@ -55,16 +76,29 @@ Eigen::VectorXd least_squares_solution(const SparseMatrix& matrix, const Eigen::
   b.x = const_cast<double*>(load.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* result = SuiteSparseQR_C_backslash_default(&a, &b, &cholmod.common);
-  if (result == nullptr)
+  // X = E R⁻¹ Qᵀ b and R, whose columns E permutes.
+  constexpr int get_x = 2;
+  cholmod_dense* x = nullptr;
+  cholmod_sparse* r = nullptr;
+  SuiteSparse_long* permutation = nullptr;
+  const SuiteSparse_long rank = SuiteSparseQR_C(
+      SPQR_ORDERING_DEFAULT, SPQR_DEFAULT_TOL, static_cast<SuiteSparse_long>(scaled.cols()), get_x,
+      &a, nullptr, &b, nullptr, &x, &r, &permutation, nullptr, nullptr, nullptr, &cholmod.common);
+  LeastSquaresSolution result;
+  if (rank == scaled.cols() && x != nullptr && r != nullptr) {
+    result.solution = factors.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(
+        static_cast<const double*>(x->x), static_cast<Eigen::Index>(x->nrow)));
+    result.smallest_singular_value = smallest_singular_value(*r);
+  }
+  cholmod_l_free(static_cast<std::size_t>(scaled.cols()), sizeof(SuiteSparse_long), permutation,
+                 &cholmod.common);
+  cholmod_l_free_sparse(&r, &cholmod.common);
+  cholmod_l_free_dense(&x, &cholmod.common);
+  if (rank < 0)
     throw ComputationError("not enough memory for least squares of " +
                            std::to_string(scaled.cols()) + " unknowns");
-  const Eigen::VectorXd solution = Eigen::Map<const Eigen::VectorXd>(
-      static_cast<const double*>(result->x), static_cast<Eigen::Index>(result->nrow));
-  cholmod_l_free_dense(&result, &cholmod.common);
-  constexpr int rank_place = 4;
-  if (cholmod.common.SPQR_istat[rank_place] < scaled.cols()) throw_singular();
-  return factors.cwiseProduct(solution);
+  if (rank < scaled.cols()) throw_singular();
+  return result;
 }
 
 }  // namespace rfm

@@ -70,6 +70,27 @@ TEST(WebExtension, KeepsInnerSplinesAsTheyAre) {
   EXPECT_THAT(inner_entries, testing::Each(1));
 }
 
+TEST(WebExtension, TakesInnerFunctionsOfOnesOwnChoice) {
+  const Disk disk;
+  const TensorProductSpace space(disk.grid, 2, disk.met);
+  const WebExtension cells(space, disk.inside);
+  std::vector<bool> inner(space.size(), false);
+  for (const int function : cells.inner()) inner[function] = true;
+  EXPECT_EQ(WebExtension::of_inner(space, inner).inner(), cells.inner());
+  inner[cells.inner().front()] = false;
+  const WebExtension fewer = WebExtension::of_inner(space, inner);
+  EXPECT_EQ(fewer.size(), cells.size() - 1);
+  EXPECT_LT(deviation(space, fewer, 2, 2), 1e-12);
+  EXPECT_THROW(WebExtension::of_inner(space, {true}), InvalidArgument);
+}
+
+TEST(WebExtension, NeedsEqualCells) {
+  const std::vector<double> lines[] = {{0, 1, 2, 4}};
+  const Grid grid = Grid::with_lines(lines);
+  EXPECT_THROW(WebExtension(TensorProductSpace(grid, 1), std::vector<std::uint8_t>(3, 1)),
+               InvalidArgument);
+}
+
 TEST(WebExtension, IsNothingWhereAllCellsAreInside) {
   const Grid grid(Box{3, {0, 0, 0}, {1, 1, 1}}, {4, 3, 5});
   const TensorProductSpace space(grid, 2);

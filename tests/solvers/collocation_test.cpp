@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <random>
 
 #include "core/error.hpp"
@@ -86,7 +87,7 @@ TEST(SparseQr, IsTheDenseLeastSquaresSolution) {
   const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(60, -1, 3);
   const Eigen::VectorXd expected = dense.colPivHouseholderQr().solve(load);
   const SparseMatrix sparse = dense.sparseView();
-  const Eigen::VectorXd solution = least_squares_solution(sparse, load);
+  const Eigen::VectorXd solution = least_squares_solution(sparse, load).solution;
   for (Eigen::Index i = 0; i < 25; ++i)
     EXPECT_NEAR(solution[i], expected[i], 1e-11 * std::abs(expected[i])) << i;
 }
@@ -98,6 +99,39 @@ TEST(SparseQr, RefusesWhatDoesNotDetermineTheUnknowns) {
   EXPECT_THROW(least_squares_solution(dependent, Eigen::VectorXd::Ones(5)), ComputationError);
   const SparseMatrix wide = Eigen::MatrixXd::Ones(2, 3).eval().sparseView();
   EXPECT_THROW(least_squares_solution(wide, Eigen::VectorXd::Ones(2)), ComputationError);
+}
+
+TEST(SparseQr, EstimatesTheSmallestSingularValueOfScaledColumns) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::MatrixXd dense(80, 30);
+  for (double& number : dense.reshaped()) number = uniform(generator);
+  dense.col(7) = dense.col(11) + 1e-5 * dense.col(3) + 1e-5 * dense.col(7);
+  const Eigen::MatrixXd scaled = dense.colwise().normalized();
+  const double exact = scaled.jacobiSvd().singularValues().minCoeff();
+  EXPECT_LT(exact, 1e-4);
+  dense.col(2) *= 1e9;
+  const SparseMatrix sparse = dense.sparseView();
+  const double found =
+      least_squares_solution(sparse, Eigen::VectorXd::Ones(80)).smallest_singular_value;
+  EXPECT_GE(found, 0.99 * exact);
+  EXPECT_LE(found, 2 * exact);
+}
+
+// Aᵀ A of condition 1e16 against A of condition 1e8.
+TEST(SparseQr, KeepsTheDigitsThatNormalEquationsLose) {
+  const double small = 1e-8;
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(4, 3);
+  dense.row(0).setOnes();
+  for (int i = 0; i < 3; ++i) dense(i + 1, i) = small;
+  const Eigen::VectorXd exact = Eigen::Vector3d(1, -2, 3), load = dense * exact;
+  const SparseMatrix sparse = dense.sparseView();
+  EXPECT_LT((least_squares_solution(sparse, load).solution - exact).norm(), 1e-6);
+  LinearSystem normal;
+  normal.matrix =
+      SparseMatrix((dense.transpose() * dense).eval().sparseView()).triangularView<Eigen::Lower>();
+  normal.right_hand_side = dense.transpose() * load;
+  EXPECT_THROW(solve(normal), ComputationError);
 }
 
 }  // namespace
