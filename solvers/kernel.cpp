@@ -12,6 +12,8 @@ namespace {
 // ‖A y‖ / ‖y‖ of the scaled matrix, whose entries are 1 at most: what rounding leaves of zero. A
 // function that is held, however softly, has more.
 constexpr double nothing = 1e-11;
+// What quadrature may leave of zero.
+constexpr double doubtful = 1e-5;
 
 SparseMatrix whole(const LinearSystem& system) {
   if (!system.symmetric) return system.matrix;
@@ -81,7 +83,8 @@ std::vector<Eigen::Index> telling_rows(Eigen::MatrixXd columns) {
 
 }  // namespace
 
-Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates) {
+Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates,
+               const std::function<LinearSystem()>& finer) {
   if (candidates.rows() != system.size())
     throw InvalidArgument("candidates for a kernel have a coefficient for every unknown");
   const Eigen::Index count = candidates.cols();
@@ -104,6 +107,20 @@ Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates) {
   std::vector<Eigen::Index> unseen;
   for (Eigen::Index k = 0; k < count; ++k)
     if (seen.col(k).norm() < nothing) unseen.push_back(k);
+  const auto is_doubtful = [&](Eigen::Index k) {
+    return seen.col(k).norm() >= nothing && seen.col(k).norm() < doubtful;
+  };
+  bool any_doubt = false;
+  for (Eigen::Index k = 0; k < count; ++k) any_doubt = any_doubt || is_doubtful(k);
+  if (any_doubt && finer) {
+    const SparseMatrix better = whole(finer());
+    for (Eigen::Index k = 0; k < count; ++k) {
+      if (!is_doubtful(k)) continue;
+      const Eigen::VectorXd function = turned.col(k).tail(basis.rows());
+      const double left = rows_.cwiseProduct(better * columns_.cwiseProduct(function)).norm();
+      if (left < 0.1 * seen.col(k).norm()) unseen.push_back(k);
+    }
+  }
   if (unseen.empty()) return;
   Eigen::MatrixXd functions(basis.rows(), unseen.size());
   weights_.resize(count, static_cast<Eigen::Index>(unseen.size()));

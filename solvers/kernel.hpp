@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "solvers/linear_system.hpp"
@@ -12,14 +13,20 @@ namespace rfm {
 /// that nobody has to say what a problem leaves free, and combinations count, as a rotation about
 /// another point does.
 ///
+/// Quadrature may miss zero by more than rounding, as of ∫ div v, v = 0 on a curved boundary. What
+/// nearly vanishes therefore counts, too, where a rule with more points leaves a tenth of it at
+/// most: what holds a function softly stays.
+///
 /// Of the kernel's functions as many coefficients are held at zero: the system without it has the
 /// same solutions up to the kernel, if the loads are compatible. A kernel whose functions are no
 /// candidates is not seen, and the system stays singular.
 class Kernel {
  public:
-  /// `candidates` are columns of coefficients, independent of each other. Throws `InvalidArgument`
-  /// if their length does not fit.
-  Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates);
+  /// `candidates` are columns of coefficients, independent of each other; `finer` makes the same
+  /// system with a rule of more points, if it should be needed. Throws `InvalidArgument` if their
+  /// length does not fit.
+  Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates,
+         const std::function<LinearSystem()>& finer = {});
 
   int size() const { return static_cast<int>(pinned_.size()); }
   /// Column k: the weights of the candidates in function k of the kernel.

@@ -7,6 +7,7 @@
 #include "solvers/conjugate_gradient.hpp"
 #include "solvers/equilibration.hpp"
 #include "solvers/general_factorization.hpp"
+#include "solvers/rank_revealing.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
@@ -56,8 +57,24 @@ bool tries_conjugate_gradient(const LinearSolverOptions& options, Eigen::Index s
   return options.dimension >= 3 && size > options.largest_direct_3d;
 }
 
+// For systems that may be singular, and are small.
+Eigen::VectorXd solve_any_rank(const ScaledSystem& system, const LinearSolverOptions& options,
+                               LinearSolution& report) {
+  if (system.lower.coeffs().allFinite()) {
+    const RankRevealing factorization(system.lower);
+    if (factorization.dependent() > 0) {
+      report.method = LinearSolution::Method::eigenvectors;
+      report.dependent = factorization.dependent();
+      report.smallest_eigenvalue = factorization.smallest_kept();
+      return factorization.solve(system.right_hand_side);
+    }
+  }
+  return solve_directly(system, options, report);
+}
+
 Eigen::VectorXd solve_scaled(const ScaledSystem& system, const LinearSolverOptions& options,
                              LinearSolution& report) {
+  if (options.rank_revealing) return solve_any_rank(system, options, report);
   if (!tries_conjugate_gradient(options, system.right_hand_side.size()))
     return solve_directly(system, options, report);
   const ConjugateGradientResult result = conjugate_gradient(

@@ -29,15 +29,21 @@ struct LinearSolverOptions {
   /// do: 10⁻¹² with three steps leaves an energy of 10⁻¹² |c|² at most of what they could do. 0:
   /// a singular system is an error, as it should be where a condition is missing.
   double regularization = 0;
+  /// Of direct solutions: a system that is singular to working precision is solved in the span of
+  /// its eigenvectors that are not (solvers/rank_revealing.hpp). For functions that depend on each
+  /// other by nature, as polynomials of high degree on a part of their box do; of n³ operations.
+  bool rank_revealing = false;
 };
 
 struct LinearSolution {
-  enum class Method { cholesky, ldlt, conjugate_gradient, lu, qr };
+  enum class Method { cholesky, ldlt, conjugate_gradient, lu, qr, eigenvectors };
   Eigen::VectorXd coefficients;
   /// ‖f − K c‖ / ‖f‖ in the scaled system; 0 if f = 0.
   double relative_residual = 0;
   /// Splines left out because their diagonal vanished; their coefficients are 0.
   int dropped = 0;
+  /// Combinations of functions left out because they vanish to working precision.
+  int dependent = 0;
   Method method = Method::cholesky;
   int iterations = 0;  ///< of conjugate gradients
   /// Of the scaled matrix, estimated by direct methods (the smallest singular value of matrices

@@ -58,10 +58,13 @@ class Newton {
  private:
   // Tangent, and minus the residual, at a state.
   LinearSystem assembled(const Vector& coefficients) const {
+    return assembled(coefficients, rule_);
+  }
+  LinearSystem assembled(const Vector& coefficients, const DomainRule& rule) const {
     const std::vector<Field> fields = solution_fields(structures_, spaces_, coefficients);
     std::vector<Contribution> contributions;
     for (const Form& form : forms_) contributions.push_back(form.linearized(fields));
-    return assemble(changes_, spaces_, contributions, rule_, arguments_);
+    return assemble(changes_, spaces_, contributions, rule, arguments_);
   }
 
   void set_scale() {
@@ -104,7 +107,10 @@ class Newton {
     LinearSystem system = system_;
     system.right_hand_side -= remaining_;
     try {
-      const Kernel kernel(system, candidates_.coefficients());
+      std::function<LinearSystem()> finer;
+      if (options_.finer_rule)
+        finer = [&] { return assembled(coefficients_, options_.finer_rule()); };
+      const Kernel kernel(system, candidates_.coefficients(), finer);
       solution_.linear = rfm::solve(kernel.pinned(std::move(system)), linear_options_);
     } catch (const ComputationError& error) {
       fail(error.what());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,9 @@ struct NewtonOptions {
   /// On the way from the start to the solution, the residual R is brought down in so many equal
   /// parts, R(u) = (1 − s) R(u₀) with s = 1/n, 2/n, …, 1: steps of the load where u₀ = 0.
   int load_steps = 1;
+  /// The rule with more points, by which `Kernel` tells errors of quadrature from what holds a
+  /// function softly.
+  std::function<DomainRule()> finer_rule{};
 };
 
 /// One step of Newton's method.

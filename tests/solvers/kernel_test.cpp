@@ -82,6 +82,20 @@ TEST(Kernel, WhatIsHeldHoweverSoftlyIsNone) {
   EXPECT_EQ(Kernel(system_of(matrix, VectorXd::Zero(6), true), VectorXd::Ones(6)).size(), 1);
 }
 
+TEST(Kernel, WhatABetterRuleMakesSmallerIsAnErrorOfQuadrature) {
+  const auto held = [](double softly) {
+    MatrixXd matrix = chain(6);
+    matrix(2, 2) += softly;
+    return system_of(matrix, VectorXd::Zero(6), true);
+  };
+  const auto size = [&](double softly, double better) {
+    return Kernel(held(softly), VectorXd::Ones(6), [&] { return held(better); }).size();
+  };
+  EXPECT_EQ(size(1e-7, 1e-10), 1);
+  EXPECT_EQ(size(1e-7, 0.9e-7), 0);
+  EXPECT_EQ(size(1e-2, 1e-10), 0);  // beyond doubt
+}
+
 TEST(Kernel, DoesNotDependOnTheSizesOfUnknownsAndEquations) {
   const VectorXd sizes = (VectorXd(6) << 1e-9, 1, 1e7, 1e-3, 1e4, 1).finished();
   const MatrixXd matrix = sizes.asDiagonal() * chain(6) * sizes.asDiagonal();

@@ -150,6 +150,30 @@ TEST(Newton, SaysThatItDoesNotConvergeBeyondTheFold) {
   EXPECT_THAT(failure_of(bratu(6)), HasSubstr("Newton's method does not converge"));
 }
 
+TEST(Newton, SaysThatTheHessianIsIndefinite) {
+  // −60 eʷ outweighs ½ w′² in the lowest modes already at w = 0.
+  EXPECT_THAT(failure_of(bratu(60)), HasSubstr("the Hessian of the energy is indefinite"));
+}
+
+TEST(Newton, SaysThatTheResidualFallsNoFurther) {
+  // A load that jumps with the sign of w − 0.3 has a tangent of zero: steps go to and fro.
+  NonlinearProblem problem = bratu(1);
+  const Field w = unknown_symbol(0, 1), v = test_symbol(0, 1);
+  problem.form = Form::weak(partial(w, 0) * partial(v, 0) + 100.0 * sign(w - 0.3) * v - 10.0 * v);
+  EXPECT_THAT(failure_of(problem), HasSubstr("the residual falls no further"));
+}
+
+TEST(Newton, EndsAfterOneStepWhereAFormOnlyLooksNonlinear) {
+  // cos² + sin² is 1, which the formula of the tangent does not tell.
+  NonlinearProblem problem = minimal_surface();
+  problem.form = Form::energy(
+      0.5 * (pow(cos(u), 2) + pow(sin(u), 2)) * dot(gradient(u, 2), gradient(u, 2)) - exp(x) * u);
+  EXPECT_FALSE(problem.form.is_linear());
+  const NewtonSolution solution = problem.solve(8, 3).newton;
+  ASSERT_EQ(solution.iterations.size(), 2u);
+  EXPECT_LT(solution.iterations[1].step, 1e-11);
+}
+
 TEST(Newton, NamesThePlaceWhereAFormIsNotDefined) {
   NonlinearProblem problem = bratu(1);
   const Field w = unknown_symbol(0, 1);
