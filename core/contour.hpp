@@ -11,11 +11,16 @@
 namespace rfm {
 
 /// One closed contour of a shape as points in order, either way round; the last point is joined to
-/// the first, which may be repeated at the end. Its edges are called `prefix`edge1, `prefix`edge2,
-/// …: edge i starts at point i.
+/// the first, which may be repeated at the end. Its edges are called names[i] or, without names,
+/// `prefix`edge1, `prefix`edge2, …: edge i starts at point i.
 struct Contour {
   std::vector<Point> points;
   std::string prefix = {};
+  std::vector<std::string> names = {};
+
+  std::string name(int edge) const {
+    return names.empty() ? prefix + "edge" + std::to_string(edge + 1) : names[edge];
+  }
 };
 
 /// A contour without edges of length zero, counter-clockwise.

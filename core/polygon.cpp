@@ -30,7 +30,7 @@ Edges edges_of(const std::vector<Contour>& contours, const std::vector<CleanCont
     for (std::size_t i = 0; i < points.size(); ++i) {
       edges.segments.push_back({points[i], points[(i + 1) % points.size()]});
       edges.next.push_back(first + static_cast<int>((i + 1) % points.size()));
-      edges.names.push_back(contours[c].prefix + "edge" + std::to_string(clean[c].edges[i] + 1));
+      edges.names.push_back(contours[c].name(clean[c].edges[i]));
       edges.contour.push_back(static_cast<int>(c));
       edges.number.push_back(clean[c].edges[i]);
     }

@@ -5,8 +5,13 @@
 #include <limits>
 
 #include "core/boundary_part.hpp"
+#include "core/diagnosis.hpp"
 #include "core/error.hpp"
+#include "core/piece_loops.hpp"
+#include "core/piece_points.hpp"
+#include "core/polygon.hpp"
 #include "core/quadric.hpp"
+#include "core/surroundings.hpp"
 #include "core/tape.hpp"
 #include "core/winding_sign.hpp"
 
@@ -42,7 +47,7 @@ bool is_new(const Separator& separator, const std::vector<Field>& functions,
 
 Box box_of(const std::vector<ThinSet>& pieces) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const int dimension = pieces.empty() ? 2 : pieces[0].dimension;
+  const int dimension = pieces[0].dimension;
   Box box{dimension, {}, {}};
   for (int axis = 0; axis < dimension; ++axis) box.low[axis] = infinite, box.high[axis] = -infinite;
   const auto add = [&](const Point& point) {
@@ -51,28 +56,85 @@ Box box_of(const std::vector<ThinSet>& pieces) {
       box.high[axis] = std::max(box.high[axis], point[axis]);
     }
   };
-  for (const ThinSet& piece : pieces) {
-    for (const Point& point : piece.points) add(point);
-    if (piece.bulge == 0 || piece.points.size() != 2) continue;
-    // An arc lies within its chord's length times (1 + b²)/2|b| of its ends.
-    const Point &a = piece.points[0], &b = piece.points[1];
-    const double reach = std::hypot(b[0] - a[0], b[1] - a[1]) * (1 + piece.bulge * piece.bulge) /
-                         (2 * std::fabs(piece.bulge));
-    for (const Point& end : piece.points) {
-      add({end[0] - reach, end[1] - reach});
-      add({end[0] + reach, end[1] + reach});
-    }
+  if (dimension == 3) {
+    for (const ThinSet& piece : pieces)
+      for (const Point& point : piece.points) add(point);
+    return box;
   }
+  for (const auto& loop : closed_loops(pieces))
+    for (const LoopPiece& piece : loop) {
+      const Point &a = piece.from, &b = piece.to;
+      // An arc lies within its chord's length times (1 + b²)/2|b| of its ends.
+      const double reach = piece.bulge == 0
+                               ? 0
+                               : std::hypot(b[0] - a[0], b[1] - a[1]) *
+                                     (1 + piece.bulge * piece.bulge) / (2 * std::fabs(piece.bulge));
+      for (const Point& end : {a, b}) {
+        add({end[0] - reach, end[1] - reach});
+        add({end[0] + reach, end[1] + reach});
+      }
+    }
   return box;
 }
 
-}  // namespace
+// Whether the pieces are straight and their loops do not meet: then they are a polygon, each edge
+// of which occurs once in its expression, so that its function has slope 1 on all edges.
+std::optional<DescribedSolid> as_polygon(const std::vector<ThinSet>& pieces,
+                                         const std::vector<std::string>& names) {
+  std::vector<Contour> contours;
+  std::vector<Segment> segments;
+  std::vector<int> next;
+  for (const auto& loop : closed_loops(pieces)) {
+    Contour& contour = contours.emplace_back();
+    const int first = static_cast<int>(segments.size()), count = static_cast<int>(loop.size());
+    for (int i = 0; i < count; ++i) {
+      if (loop[i].bulge != 0) return std::nullopt;
+      contour.points.push_back(loop[i].from);
+      contour.names.push_back(names[loop[i].piece]);
+      segments.push_back({loop[i].from, loop[(i + 1) % count].from});
+      next.push_back(first + (i + 1) % count);
+    }
+  }
+  if (intersecting_pair(segments, next)) return std::nullopt;
+  Outline outline = polygon(contours);
+  return DescribedSolid{std::move(outline.region), std::move(outline.sides), {}, 0, {}, {}};
+}
 
-DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
-                               const std::vector<std::string>& names, const Membership& membership,
-                               const Box& bounds) {
-  if (pieces.empty() || names.size() != pieces.size())
-    throw InvalidArgument("a solid has pieces of its boundary, each with a name");
+// Cells are sampled: time grows with the square of the number of pieces, in space with the cube.
+constexpr std::size_t most_pieces = 64;
+
+// Points of pieces that do not bound the solid: a cell next to them was lost, or they are no
+// boundary.
+void require_pieces_to_bound(const Region& solid, const std::vector<std::vector<Point>>& points,
+                             const std::vector<std::string>& names, double size, bool everywhere) {
+  const RegionEvaluator region(solid);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::optional<Point> astray;
+    int bounding = 0;
+    for (const Point& point : points[i]) {
+      const Surroundings around =
+          surroundings(region, point, 1e-12 * size, 1e-3 * extent_of(points[i]));
+      if (around.any_inside && around.any_outside)
+        ++bounding;
+      else
+        astray = point;
+    }
+    if (everywhere ? !astray : bounding > 0) continue;
+    throw InvalidArgument(
+        "'" + names[i] + "' does not bound what the pieces describe" +
+        (astray ? ": both sides of " + point_text(*astray, solid.dimension()) + " are the same"
+                : ": it has no points"));
+  }
+}
+
+DescribedSolid described_by_signs(const std::vector<ThinSet>& pieces,
+                                  const std::vector<std::string>& names,
+                                  const Membership& membership, const Box& bounds,
+                                  bool everywhere) {
+  if (pieces.size() > most_pieces)
+    throw InvalidArgument("a boundary of " + std::to_string(pieces.size()) +
+                          " pieces that is no simple polygon: at most " +
+                          std::to_string(most_pieces) + " can be described");
   const int dimension = bounds.dimension;
   std::vector<Field> functions;
   std::vector<std::vector<std::size_t>> members;  // the pieces on each curve
@@ -87,7 +149,9 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
     if (known == functions.end()) functions.push_back(surface);
   }
   const int own = static_cast<int>(functions.size());
-  SetDescription description(functions, membership, bounds);
+  std::vector<std::vector<Point>> points;
+  for (const ThinSet& piece : pieces) points.push_back(points_on(piece, bounds));
+  SetDescription description(functions, membership, bounds, points);
   const std::optional<std::pair<Point, Point>> conflict = description.conflict();
   std::vector<Separator> candidates;
   if (conflict) {
@@ -97,7 +161,7 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
           candidates.push_back(std::move(separator));
     std::vector<Field> all = functions;
     for (const Separator& separator : candidates) all.push_back(separator.function);
-    description = SetDescription(all, membership, bounds);
+    description = SetDescription(all, membership, bounds, points);
   }
   const std::vector<bool> used = without_needless_separators(description, own);
   const BooleanExpression expression = description.restricted(used).minimal_form();
@@ -124,17 +188,32 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
         Primitive{"separator" + std::to_string(needed.size()),
                   normalize(separator.function, dimension), separator.function, true}));
   }
-  return {Region(dimension, std::move(primitives), expression.renamed(number)),
-          std::move(sides),
-          conflict,
-          static_cast<int>(candidates.size()),
-          std::move(needed),
-          std::move(needless)};
+  Region region(dimension, std::move(primitives), expression.renamed(number));
+  require_pieces_to_bound(region, points, names, bounds.longest_side(), everywhere);
+  return {std::move(region), std::move(sides),   conflict, static_cast<int>(candidates.size()),
+          std::move(needed), std::move(needless)};
+}
+
+void require_names(const std::vector<ThinSet>& pieces, const std::vector<std::string>& names) {
+  if (pieces.empty() || names.size() != pieces.size())
+    throw InvalidArgument("a solid has pieces of its boundary, each with a name");
+}
+
+}  // namespace
+
+DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
+                               const std::vector<std::string>& names, const Membership& membership,
+                               const Box& bounds) {
+  require_names(pieces, names);
+  return described_by_signs(pieces, names, membership, bounds, false);
 }
 
 DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
                                const std::vector<std::string>& names) {
-  const WindingSign winding(pieces);
+  require_names(pieces, names);
+  const WindingSign winding(pieces);  // throws if they do not close
+  if (pieces[0].dimension == 2)
+    if (std::optional<DescribedSolid> polygon = as_polygon(pieces, names)) return *polygon;
   const Box bounds = box_of(pieces);
   const double near = 1e-9 * bounds.longest_side();
   std::vector<Field> functions;
@@ -145,7 +224,7 @@ DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
       if (distances.value(point, static_cast<int>(i)) <= near) return Truth::unknown;
     return winding.is_inside(point) ? Truth::yes : Truth::no;
   };
-  DescribedSolid solid = described_solid(pieces, names, membership, bounds);
+  DescribedSolid solid = described_by_signs(pieces, names, membership, bounds, true);
   solid.region = solid.region.within(bounds);
   return solid;
 }

@@ -37,13 +37,17 @@ struct DescribedSolid {
 ///
 /// Inside is what `membership` says, `bounds` as for `SetDescription`, whose resolution holds here
 /// too. Pieces must have a `surface`; `names` are those of the primitives, one for each. Throws
-/// `InvalidArgument` otherwise, and if the solid is not describable with all separators.
+/// `InvalidArgument` otherwise, for more than 64 pieces, if the solid is not describable with all
+/// separators, and if a piece bounds nothing of what was found.
 DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
                                const std::vector<std::string>& names, const Membership& membership,
                                const Box& bounds);
 
 /// The same of closed curves of segments and arcs (in space of triangles), inside by the parity of
-/// the winding number. Throws as above and as `WindingSign`.
+/// the winding number. Straight pieces whose loops do not meet are a `polygon` of any size, with
+/// every edge once; elsewhere a piece may occur in several products, so that the slope of an
+/// R-function is not 1 there. Throws as above, if a piece does not bound the solid all along, and
+/// as `WindingSign`.
 DescribedSolid described_solid(const std::vector<ThinSet>& pieces,
                                const std::vector<std::string>& names);
 

@@ -19,6 +19,7 @@ namespace {
 class CellSampler {
  public:
   CellSampler(const std::vector<Field>& primitives, const Membership& membership, const Box& bounds,
+              const std::vector<std::vector<Point>>& pieces,
               std::vector<SetDescription::Sample>& samples)
       : membership_(membership), samples_(samples), dimension_(bounds.dimension) {
     for (const Field& primitive : primitives) levels_.emplace_back(primitive, dimension_);
@@ -28,17 +29,17 @@ class CellSampler {
       box_.low[axis] -= 0.4871 * scale_;
       box_.high[axis] += 0.5132 * scale_;
     }
+    for (const std::vector<Point>& points : pieces) add_detail(points);
   }
 
   void run() {
-    const double smallest =
-        std::max((dimension_ == 3 ? 0x1p-5 : 0x1p-7) * box_.longest_side(), least_side(box_));
+    for (const Detail& detail : details_) add_both_sides(detail);
     std::vector<Box> pending{box_};
     while (!pending.empty()) {
       const Box box = pending.back();
       pending.pop_back();
       const std::vector<int> open = undecided(box);
-      if (open.empty() || box.longest_side() <= smallest) {
+      if (open.empty() || box.longest_side() <= smallest_side(box)) {
         add(box.center());
         add_zeros(box, open);
         continue;
@@ -50,6 +51,56 @@ class CellSampler {
   }
 
  private:
+  // A piece of the boundary: points of it, and the box that they span.
+  struct Detail {
+    std::vector<Point> points;
+    Box box;
+    double size = 0;
+  };
+
+  void add_detail(const std::vector<Point>& points) {
+    if (points.empty()) return;
+    Detail detail{points, {dimension_, points[0], points[0]}};
+    for (const Point& point : points)
+      for (int axis = 0; axis < dimension_; ++axis) {
+        detail.box.low[axis] = std::min(detail.box.low[axis], point[axis]);
+        detail.box.high[axis] = std::max(detail.box.high[axis], point[axis]);
+      }
+    detail.size = detail.box.longest_side();
+    details_.push_back(std::move(detail));
+  }
+
+  // How far boxes are halved: by the resolution of the whole, or of a small piece that is near.
+  double smallest_side(const Box& box) const {
+    double smallest = resolution() * box_.longest_side();
+    for (const Detail& detail : details_) {
+      const double side = (dimension_ == 3 ? 0.25 : 0.125) * detail.size;
+      if (side < smallest && is_near(box, detail.box, 0.5 * detail.size)) smallest = side;
+    }
+    return std::max(smallest, least_side(box_));
+  }
+  double resolution() const { return dimension_ == 3 ? 0x1p-5 : 0x1p-7; }
+
+  bool is_near(const Box& box, const Box& other, double distance) const {
+    for (int axis = 0; axis < dimension_; ++axis)
+      if (box.low[axis] > other.high[axis] + distance ||
+          other.low[axis] - distance > box.high[axis])
+        return false;
+    return true;
+  }
+
+  void add_both_sides(const Detail& detail) {
+    for (const Point& point : detail.points)
+      for (const LevelFunction& level : levels_) {
+        Point normal;
+        const double value = level.value_and_gradient(point, normal), slope = norm(normal);
+        if (!(slope > 0) || std::fabs(value) > 1e-9 * detail.size * slope) continue;
+        for (const double distance : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7})
+          for (const double side : {distance, -distance})
+            add(along(point, side * detail.size / slope, normal));
+      }
+  }
+
   std::vector<int> undecided(const Box& box) const {
     std::vector<int> open;
     for (std::size_t k = 0; k < levels_.size(); ++k) {
@@ -79,6 +130,8 @@ class CellSampler {
   }
 
   void add_zeros(const Box& box, const std::vector<int>& open) {
+    // In proportion to the box: that of a small piece is small.
+    const double scale = box.longest_side() / (resolution() * box_.longest_side()) * scale_;
     const auto is_near = [&](const std::optional<Point>& zero) {
       if (!zero) return false;
       for (int axis = 0; axis < dimension_; ++axis)
@@ -95,13 +148,13 @@ class CellSampler {
       const double slope = norm(normal);
       if (!(slope > 0)) continue;
       for (const double side : {1e-3, -1e-3, 1e-5, -1e-5})
-        add(along(*zero, side * scale_ / slope, normal));
+        add(along(*zero, side * scale / slope, normal));
     }
     const auto consider = [&](const std::optional<Point>& zero) {
       if (!is_near(zero)) return;
       add(*zero);
       for (const double distance : {1e-3, 1e-5})
-        for (const Point& d : directions()) add(moved(*zero, d, distance * scale_));
+        for (const Point& d : directions()) add(moved(*zero, d, distance * scale));
     };
     for (std::size_t i = 0; i < open.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
@@ -135,6 +188,7 @@ class CellSampler {
   int dimension_;
   std::vector<LevelFunction> levels_;
   Box box_;
+  std::vector<Detail> details_;
   double scale_ = 1;
   std::array<std::set<Cube>, 2> seen_;
 };
@@ -155,9 +209,9 @@ Membership solid_membership(const RegionEvaluator& region) {
 }
 
 SetDescription::SetDescription(const std::vector<Field>& primitives, const Membership& membership,
-                               const Box& bounds)
+                               const Box& bounds, const std::vector<std::vector<Point>>& pieces)
     : used_(primitives.size(), true), dimension_(bounds.dimension) {
-  CellSampler(primitives, membership, bounds, samples_).run();
+  CellSampler(primitives, membership, bounds, pieces, samples_).run();
 }
 
 SetDescription SetDescription::restricted(const std::vector<bool>& used) const {

@@ -24,6 +24,9 @@ Membership solid_membership(const RegionEvaluator& region);
 /// sides of zeros near those boxes, around common zeros, and far away. Points on zero sets and
 /// common zeros are kept as well, with zero for a sign: closed products of half-spaces hold them.
 /// Cells that no such point meets may be missed; `same_solid` (core/same_solid.hpp) finds out.
+/// Where points of the pieces of the boundary are given, boxes next to a piece are halved to an
+/// eighth of its size (a quarter in space), and points are taken on both sides of those given, from
+/// a tenth to 10⁻⁷ of its size away.
 class SetDescription {
  public:
   struct Sample {
@@ -32,9 +35,10 @@ class SetDescription {
     bool inside;
   };
 
-  /// Bounds must hold the solid, or its complement.
+  /// Bounds must hold the solid, or its complement. `pieces` are points of each piece of the
+  /// boundary, where they are known.
   SetDescription(const std::vector<Field>& primitives, const Membership& membership,
-                 const Box& bounds);
+                 const Box& bounds, const std::vector<std::vector<Point>>& pieces = {});
 
   const std::vector<Sample>& samples() const { return samples_; }
   /// The same solid by some of the primitives only, the others unused.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/piece_loops.hpp"
 #include "core/point_algebra.hpp"
 
 namespace rfm {
@@ -59,18 +60,21 @@ double solid_angle(const std::array<Point, 3>& corners, const Point& at) {
 
 }  // namespace
 
-WindingSign::WindingSign(const std::vector<ThinSet>& pieces) {
-  if (pieces.empty()) throw InvalidArgument("a boundary without pieces does not exist");
-  dimension_ = pieces[0].dimension;
+WindingSign::WindingSign(const std::vector<ThinSet>& pieces)
+    : dimension_(pieces.empty() ? 2 : pieces[0].dimension) {
+  if (dimension_ == 2) {
+    for (const auto& loop : closed_loops(pieces))
+      for (const LoopPiece& piece : loop) pieces_.push_back({{piece.from, piece.to}, piece.bulge});
+    return;
+  }
   Point low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   for (const ThinSet& set : pieces) {
-    if (set.dimension != dimension_ || set.points.size() != (dimension_ == 2 ? 2u : 3u))
+    if (set.dimension != dimension_ || set.points.size() != 3)
       throw InvalidArgument("closed boundaries are made of segments and arcs, or of triangles");
     Piece piece;
     std::copy(set.points.begin(), set.points.end(), piece.corners.begin());
-    piece.bulge = set.bulge;
     pieces_.push_back(piece);
     for (const Point& point : set.points)
       for (int axis = 0; axis < 3; ++axis) {
@@ -78,34 +82,7 @@ WindingSign::WindingSign(const std::vector<ThinSet>& pieces) {
         high[axis] = std::max(high[axis], point[axis]);
       }
   }
-  const double tolerance = 1e-9 * norm(difference(high, low));
-  dimension_ == 2 ? close_loops(tolerance) : check_edges(tolerance);
-}
-
-// Turns pieces so that each begins where the one before it ends.
-void WindingSign::close_loops(double tolerance) {
-  for (std::size_t first = 0; first < pieces_.size();) {
-    const Point start = pieces_[first].corners[0];
-    std::size_t last = first;
-    while (!same(pieces_[last].corners[1], start, tolerance)) {
-      const Point& end = pieces_[last].corners[1];
-      const auto begins = [&](const Piece& piece) {
-        return same(piece.corners[0], end, tolerance);
-      };
-      const auto ends = [&](const Piece& piece) { return same(piece.corners[1], end, tolerance); };
-      const auto rest = pieces_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
-      auto next = std::find_if(rest, pieces_.end(), begins);
-      if (next == pieces_.end()) {
-        next = std::find_if(rest, pieces_.end(), ends);
-        if (next == pieces_.end()) throw InvalidArgument("the pieces do not close");
-        std::swap(next->corners[0], next->corners[1]);
-        next->bulge = -next->bulge;
-      }
-      std::iter_swap(rest, next);
-      ++last;
-    }
-    first = last + 1;
-  }
+  check_edges(1e-9 * norm(difference(high, low)));
 }
 
 void WindingSign::check_edges(double tolerance) const {

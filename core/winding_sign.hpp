@@ -9,7 +9,8 @@ namespace rfm {
 
 /// 1 inside closed boundaries that are known only piece by piece, −1 outside: by the parity of the
 /// winding number, so that loops may run either way and lie within each other. Its derivatives are
-/// 0; on the boundary itself either sign. In the plane of segments and arcs, in space of triangles.
+/// 0; on the boundary itself either sign. In the plane of segments and arcs (full circles, too), in
+/// space of triangles.
 class WindingSign final : public FieldSource {
  public:
   /// Throws `InvalidArgument` if a piece is neither segment nor arc (triangle in space), or if the
@@ -31,7 +32,6 @@ class WindingSign final : public FieldSource {
     std::array<Point, 3> corners{};
     double bulge = 0;  ///< of an arc: the tangent of a quarter of its angle, positive to the left
   };
-  void close_loops(double tolerance);
   void check_edges(double tolerance) const;
   double distance_below(const Piece& piece, const Point& point) const;
 

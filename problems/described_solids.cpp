@@ -9,9 +9,6 @@
 namespace rfm {
 namespace {
 
-// Cells are sampled: time grows with the square of the number of pieces, in space with the cube.
-constexpr std::size_t most_pieces = 64;
-
 std::string list_or_none(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
@@ -42,11 +39,6 @@ std::optional<DescribedSolid> read_described_solid(const DocumentNode& list, Val
   }
   if (!all_known) return std::nullopt;
   try {
-    if (pieces.size() > most_pieces)
-      throw InvalidArgument(
-          fmt::format("a boundary of {} pieces: a shape that is given by its "
-                      "boundary has at most {}",
-                      pieces.size(), most_pieces));
     return described_solid(pieces, names);
   } catch (const InvalidArgument& mistake) {
     values.mistakes.add(mistake.what(), list.place);

@@ -9,6 +9,7 @@
 #include "core/curved_polygon.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/r_functions.hpp"
 #include "core/winding_sign.hpp"
 
 namespace rfm {
@@ -257,6 +258,136 @@ TEST(Separators, OfATetrahedronAreNotNeeded) {
   EXPECT_TRUE(region.contains(Point{0.2, 0.2, 0.2}));
   EXPECT_FALSE(region.contains(Point{0.4, 0.4, 0.4}));
   EXPECT_FALSE(region.contains(Point{-0.1, 0.2, 0.2}));
+}
+
+std::vector<ThinSet> half_circles(const Point& center, double radius) {
+  return {arc_set(center, radius, 0, pi), arc_set(center, radius, pi, 2 * pi)};
+}
+
+TEST(Separators, SmallHolesAreFoundDownToAMillionthOfTheWhole) {
+  for (const double radius : {0.1, 0.03, 1e-2, 1e-3, 1e-5, 1e-6}) {
+    std::vector<ThinSet> pieces = half_circles({0, 0}, 1);
+    const Point center{0.3123, 0.2217};
+    for (const ThinSet& half : half_circles(center, radius)) pieces.push_back(half);
+    const DescribedSolid solid = described_solid(pieces, {"big1", "big2", "small1", "small2"});
+    const RegionEvaluator region(solid.region);
+    EXPECT_FALSE(region.contains(center)) << radius;
+    EXPECT_FALSE(region.contains(Point{center[0], center[1] - 0.9 * radius})) << radius;
+    EXPECT_TRUE(region.contains(Point{center[0], center[1] - 1.1 * radius})) << radius;
+    EXPECT_FALSE(region.contains(Point{1.01, 0})) << radius;
+  }
+}
+
+TEST(Separators, SmallBitesAndSlotsAreFound) {
+  // A disk with a bite of 2 % at its rim, and one with a slot of 0.1 % of its size.
+  const double r = 0.02, t = 2 * std::asin(r / 2);  // the bite's centre lies on the rim
+  const double turn = 0.5 * (pi + t);               // seen from there, where the rim begins
+  const std::vector<ThinSet> bitten{arc_set({0, 0}, 1, t, 2 * pi - t),
+                                    arc_set({1, 0}, r, turn, 2 * pi - turn)};
+  const RegionEvaluator bite(described_solid(bitten, numbered(2)).region);
+  EXPECT_FALSE(bite.contains(Point{0.985, 0}));
+  EXPECT_TRUE(bite.contains(Point{0.975, 0}));
+  const double h = 1e-3, angle = std::asin(h);
+  const std::vector<ThinSet> slotted{
+      arc_set({0, 0}, 1, angle, 2 * pi - angle), segment_set({std::cos(angle), h}, {0.2, h}),
+      segment_set({0.2, h}, {0.2, -h}), segment_set({0.2, -h}, {std::cos(angle), -h})};
+  const RegionEvaluator slot(described_solid(slotted, numbered(4)).region);
+  EXPECT_FALSE(slot.contains(Point{0.5, 0}));
+  EXPECT_FALSE(slot.contains(Point{0.2001, 0.0009}));
+  EXPECT_TRUE(slot.contains(Point{0.5, 0.0011}));
+  EXPECT_TRUE(slot.contains(Point{0.199, 0}));
+}
+
+TEST(Separators, PiecesThatBoundNothingAreRefusedByName) {
+  // Two squares with a common side: inside by parity on both sides of it.
+  std::vector<ThinSet> pieces;
+  const std::vector<Point> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}};
+  for (const auto& [from, to] : std::vector<std::pair<int, int>>{
+           {0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 4}, {4, 5}, {5, 2}, {2, 1}})
+    pieces.push_back(segment_set(corners[from], corners[to]));
+  try {
+    described_solid(pieces, numbered(8));
+    FAIL() << "accepted";
+  } catch (const InvalidArgument& mistake) {
+    EXPECT_THAT(mistake.what(), testing::HasSubstr("'p1' does not bound"));
+  }
+  // A hole of a ten-billionth is not seen, and not passed over.
+  pieces = half_circles({0, 0}, 1);
+  for (const ThinSet& half : half_circles({0.3, 0.2}, 1e-10)) pieces.push_back(half);
+  EXPECT_THROW(described_solid(pieces, numbered(4)), InvalidArgument);
+}
+
+TEST(Separators, OfStraightPiecesAreAPolygonWithUnitSlope) {
+  // A spiral whose lines meet each other often: by the signs of its lines a side is in several
+  // products, and the slope of the R-function up to 3.4.
+  const std::vector<Point> spiral{{0, 0}, {5, 0}, {5, 5}, {1, 5}, {1, 2}, {3, 2},
+                                  {3, 3}, {2, 3}, {2, 4}, {4, 4}, {4, 1}, {0, 1}};
+  std::vector<ThinSet> pieces;
+  for (std::size_t i = 0; i < spiral.size(); ++i) {
+    // Each turned as it likes, and not in order.
+    const std::size_t k = (5 * i) % spiral.size();
+    const Point &p = spiral[k], &q = spiral[(k + 1) % spiral.size()];
+    pieces.push_back(i % 3 == 0 ? segment_set(q, p) : segment_set(p, q));
+  }
+  const DescribedSolid solid = described_solid(pieces, numbered(pieces.size()));
+  EXPECT_EQ(solid.region.primitives().size(), pieces.size());
+  const Field omega = implicit(solid.region);
+  for (const ThinSet& piece : pieces)
+    for (const double t : {0.1, 0.3, 0.5, 0.9}) {
+      const Point &p = piece.points[0], &q = piece.points[1];
+      const Point at{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
+      const PointJet jet = evaluate(omega, at, 1, 2);
+      EXPECT_NEAR(jet.derivative(0, 0), 0, 1e-14);
+      EXPECT_NEAR(std::hypot(jet.derivative(1, 0), jet.derivative(0, 1)), 1, 1e-12);
+    }
+  // The primitive of a piece has its name.
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Primitive& primitive = *solid.region.primitives()[k];
+    const ThinSet& piece = pieces[std::stoul(primitive.name.substr(1))];
+    EXPECT_NEAR(value_at(primitive.function, piece.points[0]), 0, 1e-14);
+    EXPECT_NEAR(value_at(primitive.function, piece.points[1]), 0, 1e-14);
+  }
+}
+
+TEST(Separators, StraightPiecesMayBeManyAndHaveHoles) {
+  std::vector<ThinSet> pieces;
+  for (const double radius : {1.0, 0.5, 0.001})
+    for (int k = 0; k < 150; ++k) {
+      const double s = 2 * pi * k / 150, t = 2 * pi * ((k + 1) % 150) / 150;
+      pieces.push_back(segment_set({radius * std::cos(s), radius * std::sin(s)},
+                                   {radius * std::cos(t), radius * std::sin(t)}));
+    }
+  const RegionEvaluator region(described_solid(pieces, numbered(pieces.size())).region);
+  EXPECT_TRUE(region.contains(Point{0.0005, 0.0003}));
+  EXPECT_FALSE(region.contains(Point{0.3, 0.3}));
+  EXPECT_TRUE(region.contains(Point{0.6, 0.3}));
+  EXPECT_FALSE(region.contains(Point{0.8, 0.8}));
+}
+
+TEST(Separators, StraightPiecesThatTouchAreDescribedByTheirSigns) {
+  // Two squares with a common corner are no simple polygon.
+  std::vector<ThinSet> pieces;
+  for (const double at : {-1.0, 0.0})
+    for (const auto& [p, q] : std::vector<std::pair<Point, Point>>{
+             {{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}, {{0, 1}, {0, 0}}})
+      pieces.push_back(segment_set({p[0] + at, p[1] + at}, {q[0] + at, q[1] + at}));
+  const RegionEvaluator region(described_solid(pieces, numbered(8)).region);
+  EXPECT_TRUE(region.contains(Point{0.4, 0.3}));
+  EXPECT_TRUE(region.contains(Point{-0.4, -0.3}));
+  EXPECT_FALSE(region.contains(Point{-0.4, 0.3}));
+}
+
+TEST(Separators, FullCirclesAreClosed) {
+  const std::vector<ThinSet> ring{arc_set({0, 0}, 1, 0, 2 * pi),
+                                  arc_set({0.2, 0}, 0.3, 1, 1 + 2 * pi)};
+  const DescribedSolid solid = described_solid(ring, {"rim", "hole"});
+  ASSERT_EQ(solid.region.primitives().size(), 2u);
+  EXPECT_EQ(solid.region.primitives()[1]->name, "hole");
+  EXPECT_TRUE(solid.sides.empty());
+  expect_inside(solid, ring, 1.2);
+  const RegionEvaluator region(solid.region);
+  EXPECT_FALSE(region.contains(Point{0.2, 0.1}));
+  EXPECT_TRUE(region.contains(Point{-0.5, 0.1}));
 }
 
 TEST(Separators, PiecesMustCloseAndHaveNames) {
