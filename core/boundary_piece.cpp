@@ -1,5 +1,6 @@
 #include "core/boundary_piece.hpp"
 
+#include "core/boolean_derivative.hpp"
 #include "core/contact.hpp"
 #include "core/r_functions.hpp"
 #include "core/trim.hpp"
@@ -40,9 +41,6 @@ std::vector<Field> outward_normal(int primitive, const RegionEvaluator& region) 
 }
 
 BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const Box& bounds) {
-  const BooleanExpression& whole = region.region().expression();
-  const BooleanExpression with = whole.restricted(primitive, true);
-  const BooleanExpression without = whole.restricted(primitive, false);
   const Primitive& source = *region.region().primitives()[primitive];
   BoundaryPiece piece{primitive, source.name, source.function, source.function, true};
   const Side side = side_of(primitive, region);
@@ -51,7 +49,7 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
   piece.whole = side != Side::both && !extends_beyond_piece(primitive, tree);
   // In another part of a union the primitive has the other sign; nowhere in the region is it 0.
   if (piece.whole && !has_sign_within(primitive, side == Side::negative, tree)) return piece;
-  const BooleanExpression decides = (with & !without) | ((!with) & without);
+  const BooleanExpression decides = boolean_derivative(region.region().expression(), primitive);
   const Field where = implicit(decides.negations_at_leaves(), region.region());
   if (side != Side::both) {
     // Other pieces lie on {where = 0}, on either side by rounding: away from its own surface the

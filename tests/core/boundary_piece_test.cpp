@@ -81,6 +81,19 @@ TEST(BoundaryPiece, OfOverlappingDisksAreTrimmedArcs) {
   expect_positive_within(arc.function, two);
 }
 
+TEST(BoundaryPiece, OfFlushShapesEndsWhereTheNextOneBegins) {
+  // Both bottoms lie on y = 0. Where one is the boundary the function of the other is positive, and
+  // data of both can be joined.
+  const Region two = box({0, 0}, {1, 1}).named("a") | box({1, 0}, {2, 1}).named("b");
+  const BoundaryPiece west = piece_of(two, "a.bottom"), east = piece_of(two, "b.bottom");
+  for (const double t : {0.006, 0.3, 0.8}) {
+    expect_boundary(west.function, {t, 0}, {0, 1});
+    expect_boundary(east.function, {2 - t, 0}, {0, 1});
+    EXPECT_GT(value_at(east.function, {t, 0}), 0.1 * (1 - t));
+    EXPECT_GT(value_at(west.function, {2 - t, 0}), 0.1 * (1 - t));
+  }
+}
+
 TEST(BoundaryPiece, IsPositiveAlsoInPartsOfAUnionThatDoNotMeet) {
   const Region apart = circle({0, 0}, 1).named("a") | circle({3, 0}, 1).named("b");
   EXPECT_TRUE(piece_of(apart, "a").whole);
