@@ -1,6 +1,8 @@
 #include "core/bounding_box.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <string>
@@ -14,6 +16,7 @@ namespace rfm {
 namespace {
 
 constexpr double horizon = 1e15;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Candidate {
   Box box;
@@ -39,8 +42,9 @@ class SideSearch {
 
   struct Result {
     double side = 0;
-    Box extreme;            ///< the box that attains it
-    bool converged = true;  ///< within `tolerance` times the length of the box searched
+    Box extreme;               ///< the box that attains it
+    bool converged = true;     ///< within `tolerance` times the length of the box searched
+    double found = -infinite;  ///< how far a point of the region lies in the direction
   };
   // Empty if `start` does not meet the region.
   std::optional<Result> run(const Box& start, double tolerance) const {
@@ -54,6 +58,11 @@ class SideSearch {
     const auto push = [&](const Box& box, int depth) {
       enqueue(trim_ == Trim::by_slabs ? without_slabs(box, thinnest) : reached(box), depth, false);
     };
+    double found = -infinite;
+    const auto try_point = [&](const Point& point) {
+      const double far = upper_ ? point[axis_] : -point[axis_];
+      if (far > found && region_.contains(point)) found = far;
+    };
     push(start, 0);
     for (int visited = 0; !queue.empty(); ++visited) {
       const auto [box, farthest, depth, settled] = queue.top();
@@ -65,9 +74,21 @@ class SideSearch {
         continue;
       }
       if (widest < 0 || visited > most_boxes) {
-        Result result{upper_ ? farthest : -farthest, box, widest < 0};
+        // Points of the boundary nearest to the middle of the box, of which each is as near to the
+        // extreme as the square of the box.
+        for (int k = 0; widest >= 0 && k < region_.primitive_count(); ++k)
+          if (const auto zero = nearest_zero(region_.level(k), box.center());
+              zero && region_.contains(*zero, 1e-12 * start.longest_side()))
+            found = std::max(found, upper_ ? (*zero)[axis_] : -(*zero)[axis_]);
+        Result result{upper_ ? farthest : -farthest, box, widest < 0, found};
         result.extreme.low[axis_] = result.extreme.high[axis_] = result.side;
         return result;
+      }
+      if (trim_ == Trim::by_reach) {
+        Point point = box.center();
+        try_point(point);
+        point[axis_] = upper_ ? box.high[axis_] : box.low[axis_];
+        try_point(point);
       }
       for (const Box& half : bisect(box, widest)) push(half, depth + 1);
     }
@@ -179,9 +200,11 @@ std::string direction_name(int axis, bool upper) {
 
 }  // namespace
 
-Box bounding_box(const RegionEvaluator& region) {
+BoundingBox bounding_box_and_excess(const RegionEvaluator& region) {
   const int dimension = region.dimension();
-  Box box;
+  const std::optional<Box>& known = region.region().enclosure();
+  BoundingBox result;
+  Box& box = result.box;
   box.dimension = dimension;
   for (int axis = 0; axis < dimension; ++axis) {
     box.low[axis] = -horizon;
@@ -197,12 +220,17 @@ Box bounding_box(const RegionEvaluator& region) {
         if (trim == Trim::by_reach && found->converged)
           side = polished(region, found->extreme, axis, side,
                           std::sqrt(tolerance) * box.longest_side());
+        if (known && trim == Trim::by_reach)
+          side = upper ? std::min(side, known->high[axis]) : std::max(side, known->low[axis]);
+        if (trim == Trim::by_reach && !found->converged)
+          result.excess = std::max(
+              result.excess, std::min((upper ? side : -side) - found->found, box.length(axis)));
         (upper ? next.high : next.low)[axis] = side;
       }
     }
     return next;
   };
-  if (const std::optional<Box>& known = region.region().enclosure()) {
+  if (known) {
     // Enlarged, so that the region does not end on the sides of the box that is searched.
     box = *known;
     for (int axis = 0; axis < dimension; ++axis) {
@@ -211,7 +239,8 @@ Box bounding_box(const RegionEvaluator& region) {
       box.low[axis] -= margin;
       box.high[axis] += margin;
     }
-    return contract(1e-13, Trim::by_reach);
+    box = contract(1e-13, Trim::by_reach);
+    return result;
   }
   // From the horizon inwards, a factor of about 20 at a time; where bounds over so large boxes are
   // too weak to shrink it, more finely.
@@ -228,7 +257,10 @@ Box bounding_box(const RegionEvaluator& region) {
       if (std::fabs((upper ? box.high : box.low)[axis]) >= 0.9 * horizon)
         throw InvalidArgument("the region is not bounded in the direction " +
                               direction_name(axis, upper));
-  return contract(1e-13, Trim::by_reach);
+  box = contract(1e-13, Trim::by_reach);
+  return result;
 }
+
+Box bounding_box(const RegionEvaluator& region) { return bounding_box_and_excess(region).box; }
 
 }  // namespace rfm

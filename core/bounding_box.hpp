@@ -12,8 +12,20 @@ namespace rfm {
 /// lines fall on such faces exactly; at other corners (of one primitive that is not smooth) it is
 /// within 10⁻⁶.
 ///
+/// What shapes know of their own box (`Region::enclosure`) is used. Where the search ends before it
+/// converged (5,000 boxes per side), the side is still from outside: `bounding_box_and_excess` says
+/// by how much it may lie beyond.
+///
 /// Throws `InvalidArgument` if the region is empty, or not bounded within ±10¹⁵ (the message names
 /// the direction).
 Box bounding_box(const RegionEvaluator& region);
+
+struct BoundingBox {
+  Box box;
+  /// How far the sides that did not converge lie beyond the points of the region that were found,
+  /// at most; 0 where all converged.
+  double excess = 0;
+};
+BoundingBox bounding_box_and_excess(const RegionEvaluator& region);
 
 }  // namespace rfm

@@ -90,4 +90,29 @@ std::optional<Point> nearest_zero(const LevelFunction& f, const Point& start) {
   return {};
 }
 
+std::optional<Point> double_zero(const LevelFunction& f, const Point& start) {
+  Point point = start, gradient{};
+  double value = f.value_and_gradient(point, gradient);
+  const double first = norm(gradient);
+  if (!(first > 0)) return value == 0 ? std::optional(point) : std::nullopt;
+  double step = 2 * value / (first * first);
+  for (int i = 0; i < most_steps; ++i) {
+    if (value == 0) return point;
+    if (norm(gradient) <= 1e-12 * first) {
+      // An extreme; a zero if the value is as small as the distance from it squared.
+      const bool zero = std::fabs(value) <= 1e-20 * first * norm(difference(start, point));
+      return zero ? std::optional(point) : std::nullopt;
+    }
+    const Point moved = along(point, -step, gradient);
+    Point next;
+    value = f.value_and_gradient(moved, next);
+    const Point way = difference(moved, point), change = difference(next, gradient);
+    step = dot(way, way) / dot(way, change);
+    if (!std::isfinite(step) || !std::isfinite(value)) return {};
+    point = moved;
+    gradient = next;
+  }
+  return {};
+}
+
 }  // namespace rfm

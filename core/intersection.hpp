@@ -19,4 +19,9 @@ std::optional<Point> common_zero(const LevelFunction& f, const LevelFunction& g,
 /// The zero of one function along its gradient from `start`; empty if it does not converge.
 std::optional<Point> nearest_zero(const LevelFunction& f, const Point& start);
 
+/// A zero that is an extreme, where f does not change its sign: a zero of the gradient, by the
+/// steps of J. Barzilai and J. M. Borwein (1988), which need no second derivatives. Empty if they
+/// do not converge to rounding, or to no zero.
+std::optional<Point> double_zero(const LevelFunction& f, const Point& start);
+
 }  // namespace rfm

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bounding_box.hpp"
 #include "core/composition.hpp"
 #include "core/error.hpp"
 #include "core/even_and_odd.hpp"
 #include "core/mapped_region.hpp"
+#include "core/primitives.hpp"
 #include "core/quadric.hpp"
 
 namespace rfm {
@@ -139,15 +141,32 @@ bool keeps_off_axis(const Region& profile) {
   return RegionEvaluator(profile).contains(axis) == Truth::no;
 }
 
-// The box around a box of the profile turned about the axis: two disks, and what is between them.
-Box turned_box(const Box& profile, const Point& center, const Point& axis) {
+// How far a bounded region of the plane reaches in the direction (across, along).
+double reach_of(const Region& region, double across, double along) {
+  Similarity turn;
+  turn.angle = -std::atan2(along, across);
+  return bounding_box(RegionEvaluator(transformed(region, turn))).high[0];
+}
+
+// The box around a bounded profile turned about the axis. The points of the circle that a point
+// (ρ, h) of the profile becomes reach aᵢh + √(1 − aᵢ²) ρ along axis i: so far as the profile does
+// in a direction of its own plane. Throws `InvalidArgument` for a profile without points at x ≥ 0.
+Box turned_box(const Region& profile, const Point& center, const Point& axis) {
   const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const Region half = (profile & half_plane({0, 0}, {1, 0})).within(*profile.enclosure());
+  const Box plane = bounding_box(RegionEvaluator(half));
   Box box{3, center, center};
   for (int i = 0; i < 3; ++i) {
-    const double along = axis[i] / length;
-    const double radius = profile.high[0] * std::sqrt(std::max(0.0, 1 - along * along));
-    box.low[i] += std::min(along * profile.low[1], along * profile.high[1]) - radius;
-    box.high[i] += std::max(along * profile.low[1], along * profile.high[1]) + radius;
+    const double along = axis[i] / length, across = std::sqrt(std::max(0.0, 1 - along * along));
+    if (along == 0 || across == 0) {
+      box.low[i] +=
+          across == 0 ? std::min(along * plane.low[1], along * plane.high[1]) : -plane.high[0];
+      box.high[i] +=
+          across == 0 ? std::max(along * plane.low[1], along * plane.high[1]) : plane.high[0];
+    } else {
+      box.low[i] -= reach_of(half, across, -along);
+      box.high[i] += reach_of(half, across, along);
+    }
   }
   return box;
 }
@@ -201,7 +220,7 @@ Region revolution(const Region& profile, const Point& center, const Point& axis)
     if (primitive.joins_smoothly && turned.region) turned.region = joining_smoothly(*turned.region);
     return turned;
   });
-  return profile.enclosure() ? body.within(turned_box(*profile.enclosure(), center, axis)) : body;
+  return profile.enclosure() ? body.within(turned_box(profile, center, axis)) : body;
 }
 
 }  // namespace rfm

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,11 +12,34 @@
 #include "core/diagnosis.hpp"
 #include "core/intersection.hpp"
 #include "core/least_side.hpp"
+#include "core/quadric.hpp"
 #include "core/r_functions.hpp"
 #include "core/surroundings.hpp"
 
 namespace rfm {
 namespace {
+
+// Whether a function has one sign all over space: a square, a definite polynomial of degree 2,
+// −|x|.
+bool has_one_sign(const LevelFunction& level, const Field& field, double size) {
+  const Interval& range = level.range();
+  if (range.low >= 0 || range.high <= 0) return true;
+  const std::optional<Quadric> quadric = as_quadric(field, level.dimension());
+  if (!quadric || quadric->is_affine()) return false;
+  const auto& [xx, xy, xz, yy, yz, zz] = quadric->square;
+  const double most =
+      std::max({std::fabs(xx), std::fabs(yy), std::fabs(zz), std::numeric_limits<double>::min()});
+  // About its centre, where the value is 0 to rounding.
+  for (const double slope : quadric->linear)
+    if (std::fabs(slope) > 1e-14 * most * size) return false;
+  if (std::fabs(quadric->constant) > 1e-14 * most * size * size) return false;
+  // All principal minors, of A or of −A.
+  const double determinant =
+      xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  const bool minors = xx * yy >= xy * xy && xx * zz >= xz * xz && yy * zz >= yz * yz;
+  return minors && ((xx >= 0 && yy >= 0 && zz >= 0 && determinant >= 0) ||
+                    (xx <= 0 && yy <= 0 && zz <= 0 && determinant <= 0));
+}
 
 /// The search for places where the sign of Φ depends on several primitives that vanish together.
 class IrregularitySearch {
@@ -25,7 +49,11 @@ class IrregularitySearch {
         bounds_(bounds),
         smallest_(std::max((bounds.dimension == 3 ? 0x1p-5 : 0x1p-10) * bounds.longest_side(),
                            least_side(bounds))),
-        signs_(region.primitive_count(), Truth::unknown) {}
+        signs_(region.primitive_count(), Truth::unknown) {
+    for (int k = 0; k < region.primitive_count(); ++k)
+      has_one_sign_.push_back(has_one_sign(region.level(k), region.region().primitives()[k]->level,
+                                           bounds.longest_side()));
+  }
 
   std::vector<Irregularity> run() {
     Box start = bounds_;  // enlarged, so that what lies on its sides is inside
@@ -95,8 +123,7 @@ class IrregularitySearch {
   // Whether one side of a primitive, the only one of `expression`, is inside and the other outside,
   // and it has two sides.
   bool decides(int primitive, const BooleanExpression& expression) {
-    const Interval& range = region_.level(primitive).range();
-    if (range.low >= 0 || range.high <= 0) return false;
+    if (has_one_sign_[primitive]) return false;
     signs_[primitive] = Truth::yes;
     const Truth above = expression.evaluate(signs_);
     signs_[primitive] = Truth::no;
@@ -112,6 +139,7 @@ class IrregularitySearch {
     const Point center = box.center();
     for (std::size_t i = 0; i < count; ++i) {
       consider(nearest_zero(level(i), center), box);
+      consider(double_zero(level(i), center), box);  // as isolated points are
       if (bounds_.dimension == 1) continue;
       for (std::size_t j = 0; j < i; ++j) {
         consider(common_zero(level(i), level(j), center), box);
@@ -122,8 +150,10 @@ class IrregularitySearch {
     }
   }
 
-  void consider(const std::optional<Point>& point, const Box& box) {
+  void consider(std::optional<Point> point, const Box& box) {
     if (!point) return;
+    for (double& coordinate : *point)  // rounding beside 0
+      if (std::fabs(coordinate) <= 1e-13 * bounds_.longest_side()) coordinate = 0;
     for (int axis = 0; axis < box.dimension; ++axis)
       if (std::fabs((*point)[axis] - box.center()[axis]) > box.length(axis)) return;
     const double scale = bounds_.longest_side();
@@ -160,6 +190,9 @@ class IrregularitySearch {
         result.extent.low[axis] = std::min(result.extent.low[axis], point[axis]);
         result.extent.high[axis] = std::max(result.extent.high[axis], point[axis]);
       }
+    // One point, found from several boxes.
+    if (result.extent.longest_side() <= 1e-9 * bounds_.longest_side())
+      result.extent.low = result.extent.high = result.place;
     const Point middle = result.extent.center();
     const auto distance = [&](const Point& p) {
       return std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]);
@@ -171,6 +204,7 @@ class IrregularitySearch {
   const RegionEvaluator& region_;
   const Box& bounds_;
   double smallest_;
+  std::vector<bool> has_one_sign_;
   std::vector<Truth> signs_;  // of the primitives of the part looked at
   std::map<Key, std::vector<Point>> found_;
   std::set<std::array<double, 3>> seen_;
@@ -189,7 +223,7 @@ std::string names_of(const std::vector<int>& primitives, const Region& region) {
 // "at (1, 0.5)", "from (1, 0) to (1, 1)".
 std::string place_text(const Irregularity& irregularity) {
   const Box& extent = irregularity.extent;
-  if (extent.longest_side() < 1e-6) return "at " + point_text(irregularity.place, extent.dimension);
+  if (extent.longest_side() == 0) return "at " + point_text(irregularity.place, extent.dimension);
   return "between " + point_text(extent.low, extent.dimension) + " and " +
          point_text(extent.high, extent.dimension) + ", as at " +
          point_text(irregularity.place, extent.dimension);
@@ -201,17 +235,35 @@ std::vector<Irregularity> irregularities(const RegionEvaluator& region, const Bo
   return IrregularitySearch(region, bounds).run();
 }
 
-std::string describe(const Irregularity& irregularity, const RegionEvaluator& region) {
+std::string describe(const Irregularity& irregularity, const RegionEvaluator& region,
+                     bool in_weight) {
   const std::string names = names_of(irregularity.primitives, region.region());
   const std::string where = place_text(irregularity);
   const std::string vanish = irregularity.primitives.size() == 1 ? " vanishes" : " vanish together";
   if (irregularity.kind == Irregularity::Kind::dangling)
     return "the domain has a dangling piece " + where + ", where " + names + vanish +
            ": it has no interior, and neither integrals nor conditions see it";
-  return "the function of the domain is zero inside it " + where + ", where " + names + vanish +
+  const std::string zero =
+      "the function of the domain is zero inside it " + where + ", where " + names + vanish;
+  if (!in_weight) return zero + ": omega(domain) is, the weight of the structure is not";
+  return zero +
          ": values prescribed by structure hold there, too; remedy: join a shape that covers the "
          "place, or take 0.5*(omega(A) - omega(B)) with B an independent expression of the "
          "complement of A as a shape";
+}
+
+bool are_formal_complements(const Region& a, const Region& b) {
+  constexpr std::size_t most = 16;
+  const Region either = a ^ b;
+  const std::size_t count = either.primitives().size();
+  if (count > most || count != a.primitives().size() || count != b.primitives().size())
+    return false;
+  std::array<bool, most> signs{};
+  for (std::size_t bits = 0; bits < std::size_t(1) << count; ++bits) {
+    for (std::size_t k = 0; k < count; ++k) signs[k] = (bits >> k & 1) != 0;
+    if (!either.expression().evaluate(std::span<const bool>(signs.data(), count))) return false;
+  }
+  return true;
 }
 
 Field signed_function(const Region& region, const Region& complement) {

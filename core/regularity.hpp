@@ -35,18 +35,25 @@ struct Irregularity {
 /// Boxes where the sign of Φ is proved, or where it depends on one primitive with two signs only,
 /// are left out; the others are halved to 2⁻¹⁰ of the longest side (2⁻⁵ in space). In those left
 /// over, common zeros of the primitives that matter are found by Newton's method, and the cells
-/// around each are looked at: sectors between tangents, and 64 (128) directions. Not found are
-/// places where primitives touch without crossing and that Newton's method misses, and sectors that
-/// only curvature opens.
+/// around each are looked at: sectors between tangents, and 64 (128) directions. Double zeros of
+/// one primitive, as isolated points are, are found in the same way. Not found are places where
+/// several primitives touch without crossing and that Newton's method misses, and sectors that only
+/// curvature opens.
 std::vector<Irregularity> irregularities(const RegionEvaluator& region, const Box& bounds);
 
 /// What is wrong and what can be done about it, in two sentences: for `check` and the log.
-std::string describe(const Irregularity& irregularity, const RegionEvaluator& region);
+/// `in_weight`: whether the weight of a solution structure has the zero, too.
+std::string describe(const Irregularity& irregularity, const RegionEvaluator& region,
+                     bool in_weight = true);
+
+/// Whether two regions are made of the same primitives (16 at most) and complements of each other
+/// for all of their signs: then −ω of one is an ω of the other, with zeros in the same places.
+bool are_formal_complements(const Region& a, const Region& b);
 
 /// ½(ω_Φ − ω_Υ) for a region Φ and an expression Υ of its complement: zero on the common boundary
 /// only, positive inside. ω_Φ is not positive outside and ω_Υ not inside, so that each removes the
 /// interior zeros of the other. Υ must be an independent expression (with separators where it needs
-/// them, see core/canonical_form.hpp): for the formal complement ω_Υ = −ω_Φ and nothing is gained.
+/// them, see core/set_description.hpp): for the formal complement ω_Υ = −ω_Φ and nothing is gained.
 /// Normalised to order 1 where both are (V. Shapiro, Acta Numerica 16 (2007), §5.3).
 Field signed_function(const Region& region, const Region& complement);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/tape.hpp"
 #include "problems/described_solids.hpp"
 #include "problems/distance_quality.hpp"
 #include "problems/geometric_relations.hpp"
@@ -89,6 +90,27 @@ void log_accuracy(const DomainRule& rule, RunLog& log) {
     log.line("  {}", as_text(cell, rule.dimension()));
 }
 
+// Of the piece of a condition, or of the part of it that is its own: rules are cut where parts end.
+double measure_of(const PieceCondition& condition, const DomainRule& rule) {
+  if (!condition.where) return rule.boundary_measure(condition.primitive);
+  const SurfaceRule& boundary = rule.boundary();
+  const Tape where({*condition.where}, {0}, rule.dimension());
+  double measure = 0;
+  for (int i = 0; i < boundary.points.size(); ++i)
+    if (boundary.points.numbers[i] == condition.primitive &&
+        where.value(boundary.points.point(i)) >= 0)
+      measure += boundary.points.weights[i];
+  return measure;
+}
+
+std::string quality_text(const Field& omega, const ScalarProblem& problem, const DomainRule& rule,
+                         const std::vector<int>& pieces) {
+  std::string text;
+  for (const auto& [name, deviation] : distance_quality(omega, problem, rule, pieces))
+    text += fmt::format("{}{} {:.1e}", text.empty() ? "" : ", ", name, deviation);
+  return text;
+}
+
 void write_picture(const std::string& file, const std::string& output, const ScalarProblem& problem,
                    const DomainRule& rule, RunLog& log) {
   const int width = problem.problem().outputs.picture.value_or(Picture{}).width;
@@ -114,6 +136,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   log.line("{}: correct", file);
   for (int axis = 0; axis < box.dimension; ++axis)
     log.line("{}: {:.12g} to {:.12g}", "xyz"[axis], box.low[axis], box.high[axis]);
+  if (const std::string note = bounds_note(scalar); !note.empty()) log.line("note: {}", note);
   log.line("measure of the domain {:.12g}, of its boundary {:.12g}", rule.measure(),
            rule.boundary_measure());
   log_accuracy(rule, log);
@@ -123,11 +146,9 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const PieceCondition& condition : scalar.conditions())
     log.line("  {}: {}{}{}, measure {:.12g}", condition.name,
              condition.unknown.empty() ? "" : condition.unknown + " ", kind_name(condition.kind),
-             condition.where ? " on a part" : "", rule.boundary_measure(condition.primitive));
-  std::string qualities;
-  for (const auto& [name, deviation] : distance_quality(scalar, rule))
-    qualities += fmt::format("{}{} {:.1e}", qualities.empty() ? "" : ", ", name, deviation);
-  log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}", qualities);
+             condition.where ? " on a part" : "", measure_of(condition, rule));
+  log.line("distance quality, largest | |grad omega(domain)| - 1 |: {}",
+           quality_text(domain_function(scalar), scalar, rule, scalar.bounding_primitives()));
   const std::vector<std::optional<std::string>> lines = scalar.structure_lines(grid);
   for (std::size_t c = 0; c < scalar.dirichlet().size(); ++c) {
     const DirichletPlan& plan = scalar.dirichlet()[c];
@@ -138,6 +159,11 @@ int check_problem(const std::string& file, const CheckOptions& options) {
                plan.weight.formula);
       for (const WeightPart& part : plan.weight.parts)
         log.line("  {}: {}; smooth: {}", part.formula, part.rule, part.smoothness);
+      std::vector<int> pieces;
+      for (const PieceCondition& piece : plan.by_structure)
+        if (!piece.where) pieces.push_back(piece.primitive);
+      log.line("  largest | |grad omega| - 1 |: {}",
+               quality_text(plan.weight.function, scalar, rule, pieces));
     } else {
       log.line("structure: {} = psi", problem.physics.unknowns[c]);
     }
@@ -147,7 +173,7 @@ int check_problem(const std::string& file, const CheckOptions& options) {
     for (const std::string& remark : plan.remarks) log.line("note: {}", remark);
   }
   for (const Irregularity& irregularity : scalar.irregularities())
-    log.line("note: {}", describe(irregularity, scalar.region()));
+    log.line("note: {}", describe(irregularity, scalar.region(), scalar.has_irregular_weight()));
   for (const RelationAnswer& answer : relations)
     log.line("{}", relation_text(answer, problem.dimension));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,

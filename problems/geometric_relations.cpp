@@ -164,6 +164,14 @@ std::vector<RelationAnswer> answered(const std::vector<GeometricRelation>& relat
   return answers;
 }
 
+// As it was given, to the last digit.
+static std::string exact_text(const Point& point, int dimension) {
+  std::vector<std::string> coordinates;
+  for (int axis = 0; axis < dimension; ++axis)
+    coordinates.push_back(fmt::format("{}", point[axis]));
+  return fmt::format("({})", fmt::join(coordinates, ", "));
+}
+
 std::string relation_text(const RelationAnswer& answer, int dimension) {
   const GeometricRelation& relation = *answer.relation;
   const std::vector<std::string>& texts = relation.texts;
@@ -175,7 +183,7 @@ std::string relation_text(const RelationAnswer& answer, int dimension) {
         point_text(answer.points[0], dimension), point_text(answer.points[1], dimension));
   std::string text = relation.name + ": ";
   if (relation.kind == Kind::point)
-    text += point_text(relation.point, dimension) + " lies in " + texts[0];
+    text += exact_text(relation.point, dimension) + " lies in " + texts[0];
   else if (relation.kind == Kind::inside)
     text += texts[0] + " lies in " + texts[1];
   else

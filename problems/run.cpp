@@ -84,12 +84,10 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   const std::vector<std::optional<std::string>> lines = problem.structure_lines(grid);
   for (std::size_t c = 0; c < plans.size(); ++c)
     log_structure(log, problem.problem().physics.unknowns[c], plans[c], lines[c]);
+  if (const std::string note = bounds_note(problem); !note.empty()) log.line("note: {}", note);
   // A zero inside matters to a weight only.
-  const bool has_weight = std::ranges::any_of(plans, [](const DirichletPlan& plan) {
-    return !plan.by_structure.empty() && plan.own_structure.empty() && !plan.uses_regular_form;
-  });
   for (const Irregularity& irregularity : problem.irregularities())
-    if (irregularity.kind == Irregularity::Kind::dangling || has_weight)
+    if (irregularity.kind == Irregularity::Kind::dangling || problem.has_irregular_weight())
       log.line("note: {}", describe(irregularity, problem.region()));
   if (solution.mean_set_to_zero)
     log.line("note: nothing fixes {}; its mean is set to zero",

@@ -26,10 +26,30 @@ Place geometry_place(const Problem& problem, std::string_view key) {
 
 Place domain_place(const Problem& problem) { return geometry_place(problem, "domain"); }
 
-Box problem_bounds(const Problem& problem, const RegionEvaluator& region) {
-  if (problem.bounds) return *problem.bounds;
+// Volumes, stiffness and energies are powers of lengths, which have to be numbers themselves.
+void check_size(const Problem& problem, const Box& box) {
+  constexpr double least = 1e-50, most = 1e50;
+  const double size = box.longest_side();
+  double farthest = 0;
+  for (int axis = 0; axis < box.dimension; ++axis)
+    farthest = std::max({farthest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
+  if ((size > 0 && size < least) || farthest > most)
+    refuse(fmt::format("the domain is {:.3g} long and reaches to {:.3g}: lengths are numbers from "
+                       "{:.0e} to {:.0e}; take another unit",
+                       size, farthest, least, most),
+           domain_place(problem));
+}
+
+BoundingBox problem_bounds(const Problem& problem, const RegionEvaluator& region) {
+  if (problem.bounds) {
+    check_size(problem, *problem.bounds);
+    return {*problem.bounds};
+  }
+  if (region.region().enclosure()) check_size(problem, *region.region().enclosure());
   try {
-    return bounding_box(region);
+    const BoundingBox found = bounding_box_and_excess(region);
+    check_size(problem, found.box);
+    return found;
   } catch (const InvalidArgument& error) {
     const bool empty = std::string(error.what()).find("empty") != std::string::npos;
     refuse(empty ? "the domain is empty"
@@ -56,12 +76,23 @@ constexpr int corrected_points = 5;
 
 }  // namespace
 
+std::string bounds_note(const ScalarProblem& problem) {
+  const double excess = problem.bounds_excess();
+  if (!(excess > 1e-9 * problem.bounds().longest_side())) return "";
+  return fmt::format(
+      "the box around the domain is up to {:.1e} larger than it; geometry.bounds "
+      "gives an exact one",
+      excess);
+}
+
 ScalarProblem::ScalarProblem(const Problem& problem)
     : problem_(problem),
       region_(*problem.domain),
-      bounds_(problem_bounds(problem, region_)),
       interfaces_(problem),
       coefficients_(problem.physics.custom ? ScalarCoefficients{} : scalar_coefficients(problem)) {
+  const BoundingBox found = problem_bounds(problem, region_);
+  bounds_ = found.box;
+  bounds_excess_ = found.excess;
   check_method(problem);
   if (problem.study.type == Study::Type::eigen || has_global_functions()) check_equations();
   // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
@@ -83,6 +114,12 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   if (!problem.physics.custom && !is_isotropic(coefficients_, problem.dimension)) check_no_robin();
   plan_values(probe);
   irregularities_ = rfm::irregularities(region_, bounds_);
+}
+
+bool ScalarProblem::has_irregular_weight() const {
+  return std::ranges::any_of(plans_, [](const DirichletPlan& plan) {
+    return !plan.by_structure.empty() && plan.own_structure.empty() && !plan.uses_regular_form;
+  });
 }
 
 // Pieces of the boundary are missing or unresolved.

@@ -56,6 +56,10 @@ struct ScalarSolution {
   SolveSeconds seconds;
 };
 
+class ScalarProblem;
+/// That the bounds found by the program may be larger than the domain, and by how much; or nothing.
+std::string bounds_note(const ScalarProblem& problem);
+
 /// A problem of one or several unknown functions made ready once for any number of grids: geometry,
 /// coefficients, structure.
 ///
@@ -81,6 +85,11 @@ class ScalarProblem {
   std::vector<std::optional<std::string>> structure_lines(const Grid& grid) const;
   /// Where the function of the domain is zero inside it, and dangling pieces.
   const std::vector<Irregularity>& irregularities() const { return irregularities_; }
+  /// Whether zeros inside are zeros of a weight, too.
+  bool has_irregular_weight() const;
+  /// How far the bounds that the program found may lie beyond the domain, at most; 0 where they are
+  /// exact or given.
+  double bounds_excess() const { return bounds_excess_; }
 
   /// Of undetermined functions in all structures, the unknowns' number at least.
   int function_count() const;
@@ -136,7 +145,11 @@ class ScalarProblem {
                        const ScalarSolution& solution) const;
   double undetermined_part(const LinearSystem& system,
                            const std::vector<TensorProductSpace>& functions,
-                           const ScalarSolution& solution) const;
+                           const ScalarSolution& solution,
+                           const LinearSolverOptions& options) const;
+  LinearSolution solve_determined(const LinearSystem& system,
+                                  const std::vector<TensorProductSpace>& functions,
+                                  ScalarSolution& solution) const;
   void add_singular_functions(const DomainRule& probe, int& functions);
   double boundary_residual(const ScalarSolution& solution) const;
   double boundary_residual(const std::vector<Field>& fields, const DomainRule& rule) const;
@@ -144,6 +157,7 @@ class ScalarProblem {
   const Problem& problem_;
   RegionEvaluator region_;
   Box bounds_;
+  double bounds_excess_ = 0;
   ProblemInterfaces interfaces_;
   ScalarCoefficients coefficients_;
   std::vector<int> bounding_primitives_;

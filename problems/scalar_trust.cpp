@@ -55,8 +55,8 @@ void ScalarProblem::check_compatible(const DomainRule& rule) const {
 // missing.
 double ScalarProblem::undetermined_part(const LinearSystem& system,
                                         const std::vector<TensorProductSpace>& functions,
-                                        const ScalarSolution& solution) const {
-  const LinearSolverOptions options = linear_options();
+                                        const ScalarSolution& solution,
+                                        const LinearSolverOptions& options) const {
   const Eigen::VectorXd scale = system.matrix.diagonal().cwiseAbs().cwiseSqrt();
   const Eigen::VectorXd scaled = scale.cwiseProduct(solution.linear.coefficients);
   std::mt19937 engine(1);

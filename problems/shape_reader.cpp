@@ -8,6 +8,7 @@
 #include "core/nearest_name.hpp"
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
+#include "core/regularity.hpp"
 #include "core/sector_sides.hpp"
 #include "problems/exact_shapes.hpp"
 #include "problems/outline_reader.hpp"
@@ -225,8 +226,11 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
     const Box corners = values_.box(node).value_or(Box{values_.dimension, {0, 0, 0}, {1, 1, 1}});
     return box(corners.low, corners.high, values_.dimension);
   }
-  if (kind == "expression")
-    return level_set(values_.field(node).value_or(x_coordinate()), values_.dimension);
+  if (kind == "expression") {
+    const Field function = values_.field(node).value_or(x_coordinate());
+    check_complements(node);
+    return level_set(function, values_.dimension);
+  }
   if (kind == "combine") {
     const std::optional<Region> combined = region(node);
     return combined ? *combined : stand_in_shape(values_.dimension).named(building_.back());
@@ -269,6 +273,7 @@ ExpressionFunction ShapeReader::omega() {
     const std::string name = is_side ? shape_of_side(argument.text) : argument.text;
     mark_used(name);
     const Region& region = built(name, argument.offset);
+    if (!building_.empty() && !is_side) functions_in_[building_.back()].insert(name);
     if (is_side && !has_side(region, argument.text))
       throw InputError("'" + name + "' has no side '" + argument.text.substr(name.size() + 1) + "'",
                        argument.offset, argument.length);
@@ -290,6 +295,20 @@ ExpressionFunction ShapeReader::final_omega() const {
     return omega_of(shape->second, name, exact);
   };
   return {1, 1, value, true};
+}
+
+void ShapeReader::check_complements(const DocumentNode& formula) {
+  const std::set<std::string>& names = functions_in_[building_.back()];
+  for (auto a = names.begin(); a != names.end(); ++a)
+    for (auto b = std::next(a); b != names.end(); ++b) {
+      const Region &first = built_.at(*a), &second = built_.at(*b);
+      if (first.primitives().size() < 2 || !are_formal_complements(first, second)) continue;
+      values_.mistakes.add(
+          "'" + *b + "' is the formal complement of '" + *a +
+              "', made of the same primitives: the function of one is minus that of "
+              "the other, with the same zeros inside; describe it by other shapes",
+          formula.place);
+    }
 }
 
 void ShapeReader::report_unused() {

@@ -70,6 +70,8 @@ class ShapeReader {
   Region build_quadric(const DocumentNode& node);
   Region build_enclosed(const DocumentNode& list);
   void add_sides(const std::vector<OutlineSide>& sides);
+  /// Whether one of the shapes whose functions a formula names is the formal complement of another.
+  void check_complements(const DocumentNode& formula);
   ExpressionFunction omega();
   /// The function of `plate`, `plate.left` or `domain`, given the shape or the domain.
   static Field omega_of(const Region& region, const std::string& name,
@@ -88,6 +90,8 @@ class ShapeReader {
   std::map<std::string, Field> distances_;  ///< of shapes as a whole, where `exact` is set
   std::vector<std::string> building_;
   std::map<std::string, std::set<std::string>> names_in_;  ///< "": named outside of shapes
+  /// Shapes whose functions the formula of a shape names.
+  std::map<std::string, std::set<std::string>> functions_in_;
   std::optional<Region> domain_;
 };
 

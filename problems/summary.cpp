@@ -143,7 +143,8 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
     measures["boundary"][problem.region().region().primitives()[k]->name] =
         solution.rule.boundary_measure(k);
   add_corners(measures, problem);
-  for (const auto& [name, deviation] : distance_quality(problem, solution.rule))
+  for (const auto& [name, deviation] : distance_quality(
+           domain_function(problem), problem, solution.rule, problem.bounding_primitives()))
     summary["distance_quality"][name] = deviation;
   if (solution.energy) summary["energy"] = *solution.energy;
   for (const NewtonIteration& iteration : solution.newton)

@@ -30,7 +30,7 @@ Control control() {
 
 void require_success(SuiteSparse_long status, Eigen::Index size) {
   if (status == UMFPACK_OK) return;
-  if (status == UMFPACK_WARNING_singular_matrix) throw_singular();
+  if (status == UMFPACK_WARNING_singular_matrix) throw SingularSystem();
   if (status == UMFPACK_ERROR_out_of_memory)
     throw ComputationError("not enough memory to factorise a system of " + std::to_string(size) +
                            " equations");
@@ -66,7 +66,7 @@ GeneralFactorization::GeneralFactorization(const SparseMatrix& matrix) : matrix_
       vector = solve(UMFPACK_At, solve(UMFPACK_A, vector));
     }
     smallest_singular_value_ = 1 / std::sqrt(vector.norm());
-    if (!(smallest_singular_value_ >= singular_value)) throw_singular();
+    if (!(smallest_singular_value_ >= singular_value)) throw SingularSystem();
   } catch (const ComputationError&) {
     umfpack_dl_free_numeric(&numeric_);
     throw;

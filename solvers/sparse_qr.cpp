@@ -97,7 +97,7 @@ LeastSquaresSolution least_squares_solution(const SparseMatrix& matrix,
   if (rank < 0)
     throw ComputationError("not enough memory for least squares of " +
                            std::to_string(scaled.cols()) + " unknowns");
-  if (rank < scaled.cols()) throw_singular();
+  if (rank < scaled.cols()) throw SingularSystem();
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include "core/error.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/supernodal_ldlt.hpp"
 
@@ -19,12 +18,12 @@ constexpr double singular_eigenvalue = 1e-14;  // an exact zero comes out as som
 
 }  // namespace
 
-void throw_singular() {
-  throw ComputationError(
-      "the system of equations is singular: the problem does not determine its solution. Perhaps a "
-      "condition is missing (with fluxes prescribed on the whole boundary a solution is determined "
-      "up to a constant only), or two undetermined functions describe the same thing");
-}
+SingularSystem::SingularSystem()
+    : ComputationError(
+          "the system of equations is singular: the problem does not determine its solution. "
+          "Perhaps a condition is missing (with fluxes prescribed on the whole boundary a solution "
+          "is determined up to a constant only), or two undetermined functions describe the same "
+          "thing") {}
 
 DiagonalScaling::DiagonalScaling(const SparseMatrix& lower) : factors(lower.diagonal()) {
   for (double& entry : factors) {
@@ -146,7 +145,7 @@ void SymmetricFactorization::factorize(const SparseMatrix& lower, Ordering order
     vector = solve(vector);
   }
   factors_->smallest_eigenvalue = 1 / vector.norm();
-  if (!(factors_->smallest_eigenvalue >= singular_eigenvalue)) throw_singular();
+  if (!(factors_->smallest_eigenvalue >= singular_eigenvalue)) throw SingularSystem();
 }
 
 SymmetricFactorization::~SymmetricFactorization() = default;

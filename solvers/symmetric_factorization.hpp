@@ -4,12 +4,16 @@
 #include <memory>
 #include <span>
 
+#include "core/error.hpp"
 #include "solvers/linear_system.hpp"
 
 namespace rfm {
 
-/// Throws the `ComputationError` of a singular system.
-[[noreturn]] void throw_singular();
+/// That a system of equations is singular.
+class SingularSystem : public ComputationError {
+ public:
+  SingularSystem();
+};
 
 /// Orderings that reduce fill, from the graph of the matrix alone: AMD is quicker in the plane; in
 /// space METIS has less fill.

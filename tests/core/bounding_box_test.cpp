@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/polygon.hpp"
 #include "core/primitives.hpp"
+#include "core/profile_bodies.hpp"
 
 namespace rfm {
 namespace {
@@ -253,6 +254,34 @@ TEST(BoundingBox, EmptyRegionsAreRefused) {
       ThrowsMessage<InvalidArgument>(HasSubstr("empty")));
   EXPECT_THAT([] { bounds_of(level_set(-1 - x * x)); },
               ThrowsMessage<InvalidArgument>(HasSubstr("empty")));
+}
+
+TEST(BoundingBox, OfTurnedProfilesIsExact) {
+  expect_box(revolution(box({0, 0}, {1, 1})), {-1, -1, 0}, {1, 1, 1}, 1e-14);
+  expect_box(revolution(circle({0.2, 0}, 0.4)), {-0.6, -0.6, -0.4}, {0.6, 0.6, 0.4}, 1e-12);
+  expect_box(revolution(ellipse({0.5, 0}, {0.6, 0.3})), {-1.1, -1.1, -0.3}, {1.1, 1.1, 0.3}, 1e-12);
+  // The widest part of the profile lies beyond the axis and does not count.
+  const double top = std::sqrt(0.16 - 0.04);
+  expect_box(revolution(circle({-0.2, 0}, 0.4)), {-0.2, -0.2, -top}, {0.2, 0.2, top}, 1e-12);
+  // About an oblique axis: a torus knows its own box.
+  const Point center{0.3, -0.2, 0.4}, axis{1, 2, -0.5};
+  const Box ring = *torus(center, axis, 1, 0.3).enclosure();
+  expect_box(revolution(circle({1, 0}, 0.3), center, axis), ring.low, ring.high, 1e-12);
+  const Box can = *cylinder({0, 0, 0}, axis, 0.5, 2).enclosure();
+  expect_box(revolution(box({0, -1}, {0.5, 1}), {0, 0, 0}, axis), can.low, can.high, 1e-12);
+}
+
+TEST(BoundingBox, TellsHowFarItMayLieBeyondTheRegion) {
+  EXPECT_EQ(bounding_box_and_excess(RegionEvaluator(circle({0.3, 0}, 1))).excess, 0);
+  // Of fourth degree and flat at its extremes, without a box of its own: the search ends early.
+  const Region flat = level_set(1.0 - pow(x, 8.0) - pow(y, 8.0) - pow(z, 8.0), 3);
+  const BoundingBox found = bounding_box_and_excess(RegionEvaluator(flat));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double beyond : {found.box.high[axis] - 1, -1 - found.box.low[axis]}) {
+      EXPECT_GE(beyond, -1e-13);
+      EXPECT_LE(beyond, found.excess + 1e-12);
+    }
+  EXPECT_LT(found.excess, 0.05);
 }
 
 }  // namespace

@@ -72,5 +72,23 @@ TEST(NearestZero, WithoutAZeroIsEmpty) {
   EXPECT_FALSE(nearest_zero(circle, {0, 0}));  // no direction to go
 }
 
+TEST(DoubleZero, IsAnExtremeThatVanishes) {
+  const Field u = x - 0.3, v = y + 0.2;
+  for (const Field& f : {Field(-(u * u + 4 * v * v)), Field(1.0 - exp(u * u + v * v)),
+                         Field(pow(u * u + v * v, 1.0) * (2.0 + sin(3 * x)))}) {
+    const auto zero = double_zero(LevelFunction(f, 2), {0.301, -0.1985});
+    ASSERT_TRUE(zero);
+    // The value is of second order: rounding of 1 − exp leaves the root of it.
+    EXPECT_NEAR((*zero)[0], 0.3, 1e-8);
+    EXPECT_NEAR((*zero)[1], -0.2, 1e-8);
+  }
+  // A curve of them.
+  const auto on_circle = double_zero(LevelFunction(pow(1.0 - x * x - y * y, 2.0), 2), {0.61, 0.79});
+  ASSERT_TRUE(on_circle);
+  EXPECT_NEAR(std::hypot((*on_circle)[0], (*on_circle)[1]), 1, 1e-12);
+  // An extreme that does not vanish.
+  EXPECT_FALSE(double_zero(LevelFunction(-(u * u + v * v) - 1e-3, 2), {0.301, -0.1985}));
+}
+
 }  // namespace
 }  // namespace rfm

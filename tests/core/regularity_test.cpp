@@ -165,5 +165,46 @@ TEST(Irregularities, InSpaceAreFacesEdgesAndPoints) {
   EXPECT_NEAR(edge[0].extent.length(2), 2, 0.2);
 }
 
+TEST(Irregularities, OfIsolatedPointsAreFound) {
+  const Field x = x_coordinate(), y = y_coordinate();
+  const Region disk = circle({3, 0.25}, 1).named("disk");
+  // −|p|² is in the region at its zero alone; |p|² takes its zero out of ω, and not of the region.
+  const Region point = level_set(-(x * x + y * y)).named("point");
+  auto list = found_in(disk | point);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].kind, Kind::dangling);
+  EXPECT_EQ(list[0].place, (Point{0, 0}));
+  EXPECT_THAT(describe(list[0], RegionEvaluator(disk | point)),
+              HasSubstr("a dangling piece at (0, 0), where point vanishes"));
+  const Field u = x - 2.7, v = y - 0.1;
+  const Region pierced = disk & level_set(u * u + 3 * v * v).named("hole");
+  list = found_in(pierced);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].kind, Kind::interior_zero);
+  EXPECT_NEAR(list[0].place[0], 2.7, 1e-12);
+  EXPECT_NEAR(list[0].place[1], 0.1, 1e-12);
+  EXPECT_THAT(describe(list[0], RegionEvaluator(pierced), false), HasSubstr("structure is not"));
+}
+
+TEST(Irregularities, OfTinyShapesAreThoseOfLargeOnes) {
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    const Region two = box({0, 0}, {size, 2 * size}).named("a") |
+                       box({size, 0.5 * size}, {3 * size, 1.25 * size}).named("b");
+    const auto list = found_in(two);
+    ASSERT_EQ(list.size(), 1u) << size;
+    EXPECT_NEAR(list[0].extent.high[1], 1.25 * size, 5e-3 * size);
+    EXPECT_THAT(describe(list[0], RegionEvaluator(two)), HasSubstr("between ("));
+  }
+}
+
+TEST(FormalComplements, AreThoseOfTheSamePrimitives) {
+  const Region a = box({0, 0}, {1, 1}).named("a"), b = box({1, 0}, {2, 1}).named("b");
+  EXPECT_TRUE(are_formal_complements(a | b, !(a | b)));
+  EXPECT_TRUE(are_formal_complements(a - b, (!a) | b));
+  EXPECT_FALSE(are_formal_complements(a | b, (!a) | (!b)));
+  // The same set by another shape is an independent expression.
+  EXPECT_FALSE(are_formal_complements(a | b, !box({0, 0}, {2, 1}).named("e")));
+}
+
 }  // namespace
 }  // namespace rfm
