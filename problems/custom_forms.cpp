@@ -6,14 +6,16 @@
 #include "core/error.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/solution_symbols.hpp"
+#include "solvers/form_loads.hpp"
 
 namespace rfm {
 namespace {
 
-Form form_of(CustomPhysics::Kind kind, const std::vector<Field>& formulas, FormPlace place) {
+Form form_of(CustomPhysics::Kind kind, const std::vector<Field>& formulas, FormPlace place,
+             bool with_loads) {
   switch (kind) {
     case CustomPhysics::Kind::energy:
-      return Form::energy(formulas[0], std::move(place));
+      return Form::energy(with_loads ? formulas[0] : without_loads(formulas[0]), std::move(place));
     case CustomPhysics::Kind::weak:
       return Form::weak(formulas[0], std::move(place));
     case CustomPhysics::Kind::residuals:
@@ -25,9 +27,9 @@ Form form_of(CustomPhysics::Kind kind, const std::vector<Field>& formulas, FormP
 }  // namespace
 
 std::vector<Form> custom_forms(const Problem& problem, const RegionEvaluator& region,
-                               const std::vector<int>& bounding_primitives) {
+                               const std::vector<int>& bounding_primitives, bool with_loads) {
   const CustomPhysics& custom = *problem.physics.custom;
-  std::vector<Form> forms{form_of(custom.kind, custom.formulas, {})};
+  std::vector<Form> forms{form_of(custom.kind, custom.formulas, {}, with_loads)};
   for (const CustomPhysics::BoundaryForm& boundary : custom.boundary)
     for (const BoundaryTarget& target : boundary.targets)
       for (const int primitive : bounding_primitives) {
@@ -38,9 +40,9 @@ std::vector<Form> custom_forms(const Problem& problem, const RegionEvaluator& re
         define_symbols(scope, problem.physics.unknowns, problem.dimension);
         if (boundary.kind == CustomPhysics::Kind::weak)
           define_tests(scope, problem.physics.unknowns, problem.dimension);
-        forms.push_back(
-            form_of(boundary.kind, {boundary.formula->field(scope)},
-                    {Contribution::Place::boundary, {primitive}, target.where_on(name)}));
+        forms.push_back(form_of(boundary.kind, {boundary.formula->field(scope)},
+                                {Contribution::Place::boundary, {primitive}, target.where_on(name)},
+                                with_loads));
       }
   return forms;
 }

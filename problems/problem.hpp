@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/expression.hpp"
+#include "core/graded_lines.hpp"
 #include "core/part_ends.hpp"
 #include "core/region.hpp"
 #include "core/separators.hpp"
@@ -138,6 +140,14 @@ struct Continuation {
   std::vector<std::string> values;
 };
 
+/// Knots along an axis, that is grid lines, other than those of equal cells.
+struct AxisKnots {
+  std::vector<double> lines;  ///< as listed; none where cells are graded
+  LineGrading grading;
+  std::optional<double> within;  ///< of the grading; nothing: a quarter of the side
+  Place place;
+};
+
 struct Discretization {
   /// Splines on the grid, or functions that live on the whole of it: then the grid is one of
   /// quadrature only.
@@ -150,6 +160,7 @@ struct Discretization {
   /// One number (along the longest side) or one per dimension; empty where `cell_size` is given.
   std::vector<int> cells;
   std::optional<double> cell_size;
+  std::array<std::optional<AxisKnots>, 3> knots;
   /// Splines cut thinly are attached to inner ones (basis/web_extension.hpp).
   bool extension = false;
   std::optional<Box> grid;
@@ -159,6 +170,11 @@ struct Discretization {
   std::vector<Grading> gradings;
   /// Ritz's method is Galerkin's where the equation follows from no energy.
   enum class Method { ritz, galerkin, least_squares, collocation } method = Method::ritz;
+  /// Where residuals are collocated.
+  enum class Points { gauss, greville } points = Points::gauss;
+  /// Of least squares.
+  enum class Factorization { automatic, normal_equations, qr };
+  Factorization factorization = Factorization::automatic;
   enum class LinearSolver { automatic, direct } linear_solver = LinearSolver::automatic;
   double tolerance = 1e-12;
   /// Steps in which Newton's method brings the residual down (solvers/newton.hpp).

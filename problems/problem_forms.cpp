@@ -76,8 +76,8 @@ bool uses_forms(const ScalarProblem& problem) {
 }
 
 std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) {
-  double h = grid.spacing(0);
-  for (int axis = 1; axis < grid.dimension(); ++axis) h = std::min(h, grid.spacing(axis));
+  double h = grid.smallest_width(0);
+  for (int axis = 1; axis < grid.dimension(); ++axis) h = std::min(h, grid.smallest_width(axis));
   std::vector<Form> list =
       problem.problem().physics.custom
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
@@ -89,17 +89,15 @@ std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) 
 }
 
 std::optional<double> energy_of_forms(const ScalarProblem& problem,
-                                      const std::vector<Form>& equations,
                                       const ScalarSolution& solution) {
   std::vector<Field> fields;
   for (const auto& [name, field] : solution.results.unknowns) fields.push_back(field);
   if (const auto& custom = problem.problem().physics.custom) {
     if (custom->kind != CustomPhysics::Kind::energy) return std::nullopt;
-    const std::size_t own =
-        custom_forms(problem.problem(), problem.region(), problem.bounding_primitives()).size();
-    double sum = 0;  // forms beyond these enforce values
-    for (std::size_t i = 0; i < own; ++i)
-      sum += integral_of_energy(equations[i], fields, solution.rule);
+    double sum = 0;
+    for (const Form& form :
+         custom_forms(problem.problem(), problem.region(), problem.bounding_primitives(), false))
+      sum += integral_of_energy(form, fields, solution.rule);
     return sum;
   }
   const int dimension = problem.problem().dimension;

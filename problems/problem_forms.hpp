@@ -17,10 +17,9 @@ bool uses_forms(const ScalarProblem& problem);
 /// weakly are among them. Throws `ProblemFileErrors` where an equation cannot have such values.
 std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid);
 
-/// The user's energy; of a scalar equation ½ ∫ (∇u·K∇u + reaction u²); nothing where there is none.
-std::optional<double> energy_of_forms(const ScalarProblem& problem,
-                                      const std::vector<Form>& equations,
-                                      const ScalarSolution& solution);
+/// The user's energy without its loads; of a scalar equation ½ ∫ (∇u·K∇u + reaction u²); nothing
+/// where there is none.
+std::optional<double> energy_of_forms(const ScalarProblem& problem, const ScalarSolution& solution);
 
 /// Throws `ProblemFileErrors` for a method that custom physics do not have.
 void check_method(const Problem& problem);

@@ -11,11 +11,9 @@ int global_cells(const Discretization& discretization) {
   return std::max(8, discretization.degree);
 }
 
-}  // namespace
-
-Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells) {
+// Equal cells.
+Grid uniform_grid(const Problem& problem, const Box& box, std::optional<int> cells) {
   const Discretization& discretization = problem.discretization;
-  const Box box = discretization.grid.value_or(bounds);
   if (cells) return Grid::with_square_cells(box, *cells);
   if (discretization.cells.size() == 1)
     return Grid::with_square_cells(box, discretization.cells[0]);
@@ -29,6 +27,40 @@ Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> 
   const double size = discretization.cell_size.value_or(box.longest_side() / 64);
   return Grid::with_square_cells(
       box, std::max(1, static_cast<int>(std::ceil(box.longest_side() / size - 1e-9))));
+}
+
+std::vector<double> lines_of(const Grid& uniform, int axis, const std::optional<AxisKnots>& knots,
+                             bool divided) {
+  const double low = uniform.box().low[axis], high = uniform.box().high[axis];
+  const int cells = uniform.cells(axis);
+  if (!knots) return graded_lines(low, high, cells, {});
+  if (knots->lines.empty()) {
+    LineGrading grading = knots->grading;
+    grading.within = knots->within.value_or(0.25 * (high - low));
+    return graded_lines(low, high, cells, grading);
+  }
+  const double intervals = static_cast<double>(knots->lines.size() - 1);
+  return divided_lines(knots->lines,
+                       divided ? std::max(1, static_cast<int>(std::lround(cells / intervals))) : 1);
+}
+
+}  // namespace
+
+Grid problem_grid(const Problem& problem, const Box& bounds, std::optional<int> cells) {
+  const auto& knots = problem.discretization.knots;
+  Box box = problem.discretization.grid.value_or(bounds);
+  for (int axis = 0; axis < problem.dimension; ++axis)
+    if (knots[axis] && !knots[axis]->lines.empty()) {
+      box.low[axis] = knots[axis]->lines.front();
+      box.high[axis] = knots[axis]->lines.back();
+    }
+  const Grid uniform = uniform_grid(problem, box, cells);
+  if (std::ranges::none_of(knots, [](const auto& axis) { return axis.has_value(); }))
+    return uniform;
+  std::vector<std::vector<double>> lines;
+  for (int axis = 0; axis < problem.dimension; ++axis)
+    lines.push_back(lines_of(uniform, axis, knots[axis], cells.has_value()));
+  return Grid::with_lines(lines);
 }
 
 }  // namespace rfm

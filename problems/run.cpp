@@ -95,6 +95,10 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   std::string cells;
   for (int axis = 0; axis < grid.dimension(); ++axis)
     cells += fmt::format("{}{}", axis > 0 ? " x " : "", grid.cells(axis));
+  for (int axis = 0; !grid.is_uniform() && axis < grid.dimension(); ++axis)
+    cells += fmt::format("{}{:.3g} to {:.3g}", axis > 0 ? " x " : " (", grid.smallest_width(axis),
+                         grid.largest_width(axis));
+  if (!grid.is_uniform()) cells += ")";
   const Discretization& discretization = problem.problem().discretization;
   log.line("{}: {} cells, degree {}: {} inside, {} cut (smallest part {:.1e}), {} unknowns",
            discretization.basis == Discretization::Basis::bspline
@@ -102,8 +106,8 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
                : "functions of the whole domain, integrated on",
            cells, discretization.degree, quadrature.inside_cells, quadrature.cut_cells,
            quadrature.smallest_cut_fraction, solution.unknowns);
-  if (discretization.basis == Discretization::Basis::power && discretization.degree > 16)
-    log.line("note: powers above degree 16 are dependent but for rounding; use legendre");
+  for (const std::string& note : solution.notes)
+    log.line("{}{}", note.starts_with("warning") ? "" : "note: ", note);
   if (quadrature.uncertified.boxes > 0)
     log.line(
         "note: quadrature is a best effort in {} boxes of total measure {:.1e}, with "

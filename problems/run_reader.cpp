@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/nearest_name.hpp"
+#include "problems/knots_reader.hpp"
 #include "problems/picture_view_reader.hpp"
 #include "problems/result_scope.hpp"
 
@@ -154,6 +155,29 @@ Continuation read_continuation(const DocumentNode& root, const DocumentNode& map
   return result;
 }
 
+// What only some methods have.
+void read_factorization(const DocumentNode& solver, ValueReader& values, Discretization& result) {
+  using Method = Discretization::Method;
+  const DocumentNode* points = values.find(solver, "points");
+  if (points && points->text == "greville") {
+    result.points = Discretization::Points::greville;
+    const bool has_knots =
+        std::ranges::any_of(result.knots, [](const auto& knots) { return knots.has_value(); });
+    if (result.method != Method::collocation)
+      values.mistakes.add("points are chosen where `method` is collocation", points->place);
+    else if (has_knots)
+      values.mistakes.add("Greville points need equal cells: points or knots", points->place);
+  }
+  const DocumentNode* factorization = values.find(solver, "factorization");
+  if (!factorization || factorization->text == "auto") return;
+  result.factorization = factorization->text == "qr"
+                             ? Discretization::Factorization::qr
+                             : Discretization::Factorization::normal_equations;
+  if (result.method != Method::least_squares)
+    values.mistakes.add("a factorization is chosen where `method` is least_squares",
+                        factorization->place);
+}
+
 }  // namespace
 
 Discretization read_discretization(const DocumentNode& root, ValueReader& values,
@@ -182,12 +206,13 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
           result.degrees.emplace(entry.key, *degree);
       }
   }
+  if (const DocumentNode* grid = values.find(*map, "grid")) result.grid = values.box(*grid);
+  if (const DocumentNode* basis = values.find(*map, "basis")) read_knots(*basis, values, result);
   if (const DocumentNode* method = values.find(*map, "method")) {
     if (method->text == "galerkin") result.method = Discretization::Method::galerkin;
     if (method->text == "least_squares") result.method = Discretization::Method::least_squares;
     if (method->text == "collocation") result.method = Discretization::Method::collocation;
   }
-  if (const DocumentNode* grid = values.find(*map, "grid")) result.grid = values.box(*grid);
   if (const DocumentNode* quadrature = values.find(*map, "quadrature")) {
     if (const DocumentNode* order = values.find(*quadrature, "order"))
       result.quadrature_order = values.integer(*order);
@@ -201,6 +226,7 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
                                                       : Discretization::LinearSolver::automatic;
     if (const DocumentNode* tolerance = values.find(*solver, "tolerance"))
       result.tolerance = values.number(*tolerance).value_or(result.tolerance);
+    read_factorization(*solver, values, result);
     if (const DocumentNode* steps = values.find(*solver, "load_steps"))
       result.load_steps = values.integer(*steps).value_or(result.load_steps);
     if (const DocumentNode* path = values.find(*solver, "continuation"))

@@ -1,5 +1,7 @@
 // Eigenproblems, and functions of the whole domain: the equations as a bundle of matrices.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -29,6 +31,21 @@ PolynomialFamily polynomial_family(const Discretization& discretization) {
   if (discretization.basis == Discretization::Basis::trigonometric)
     family.kind = Kind::trigonometric;
   return family;
+}
+
+void note_dependence(const Discretization& discretization, ScalarSolution& solution) {
+  constexpr int highest_degree = 16;
+  const bool trigonometric = discretization.basis == Discretization::Basis::trigonometric;
+  if (!trigonometric && discretization.degree > highest_degree)
+    solution.notes.push_back(fmt::format(
+        "warning: polynomials above degree {} nearly depend on each other on a part of their box, "
+        "and digits are lost",
+        highest_degree));
+  if (solution.linear.dependent > 0)
+    solution.notes.push_back(fmt::format(
+        "warning: {} of {} combinations of functions vanish to working precision and were left "
+        "out; the smallest eigenvalue of the others is {:.1e}",
+        solution.linear.dependent, solution.unknowns, solution.linear.smallest_eigenvalue));
 }
 
 }  // namespace
@@ -70,7 +87,10 @@ void ScalarProblem::solve_equations(ScalarSolution& solution) const {
   solution.seconds.assembly = assembly.seconds();
 
   Stopwatch solve;
-  solution.linear = rfm::solve(system, linear_options());
+  LinearSolverOptions options = linear_options();
+  options.rank_revealing = true;
+  solution.linear = rfm::solve(system, options);
+  note_dependence(problem_.discretization, solution);
   Field u = equations.fields(solution.linear.coefficients)[0];
   solution.results.unknowns = {{problem_.physics.unknowns[0], u}};
   solution.energy = stored_energy(system, equations.terms().stiffness, solution);

@@ -1,5 +1,7 @@
 // Equations that are not linear, or hold at points, and the stops on the way to them.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/error.hpp"
@@ -8,6 +10,7 @@
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/collocation.hpp"
+#include "solvers/greville_collocation.hpp"
 
 namespace rfm {
 namespace {
@@ -32,24 +35,95 @@ Eigen::VectorXd solved_stop(const ContinuationStop& stop,
 
 }  // namespace
 
+bool ScalarProblem::must_use_qr() const {
+  return problem_.discretization.method == Discretization::Method::least_squares &&
+         problem_.discretization.factorization == Discretization::Factorization::qr;
+}
+
+// Where something is free, or two functions describe nearly the same, residuals do not determine
+// the coefficients.
+bool ScalarProblem::may_use_qr() const {
+  return problem_.discretization.method == Discretization::Method::least_squares &&
+         problem_.discretization.factorization == Discretization::Factorization::automatic &&
+         function_count() == unknown_count() && !fixed_up_to_constant() &&
+         !problem_.discretization.continuation && !problem_.discretization.extension;
+}
+
+void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
+                                    const std::vector<TensorProductSpace>& functions,
+                                    ScalarSolution& solution) const {
+  Stopwatch solve;
+  const Discretization& discretization = problem_.discretization;
+  if (discretization.continuation)
+    throw ComputationError("residuals at points are solved without continuation");
+  const Grid& grid = solution.rule.grid();
+  const std::vector<Structure> structures = this->structures(grid);
+  const bool squares = discretization.method == Discretization::Method::least_squares;
+  NewtonSolution newton;
+  if (squares) {
+    newton = solve_collocation(structures, functions, equations, solution.rule);
+  } else if (discretization.points == Discretization::Points::gauss) {
+    newton = solve_collocation(structures, functions, equations, collocation_rule(grid));
+  } else {
+    if (function_count() > unknown_count())
+      throw ComputationError(
+          "collocation at Greville points has one equation for each spline of an unknown, but the "
+          "structure has more functions than unknowns: enforce conditions weakly (enforce: weak), "
+          "or take Gauss points");
+    newton = solve_greville(structures, functions, equations, region_, solution.rule);
+  }
+  solution.newton_order = newton.order();
+  solution.newton = std::move(newton.iterations);
+  solution.linear = std::move(newton.linear);
+  solution.seconds.solve += solve.seconds();
+}
+
+bool ScalarProblem::solve_least_squares(const std::vector<Form>& equations,
+                                        const std::vector<TensorProductSpace>& functions,
+                                        const std::function<void()>& solve_system,
+                                        ScalarSolution& solution) const {
+  // Errors of the coefficients are about ε over the eigenvalue.
+  constexpr double smallest = 1e-6;
+  std::string normal_equations = "are singular to working precision";
+  try {
+    solve_system();
+    // Conjugate gradients estimate nothing; they stop by their residual.
+    const LinearSolution& linear = solution.linear;
+    if (linear.method == LinearSolution::Method::conjugate_gradient ||
+        linear.smallest_eigenvalue >= smallest) {
+      solution.notes.push_back(
+          fmt::format("least squares by normal equations, whose smallest eigenvalue is {:.1e}",
+                      linear.smallest_eigenvalue));
+      return false;
+    }
+    normal_equations =
+        fmt::format("have a smallest eigenvalue of {:.1e}", linear.smallest_eigenvalue);
+  } catch (const ComputationError&) {
+    // What Q R cannot solve either, it reports.
+  }
+  solve_at_points(equations, functions, solution);
+  solution.notes.push_back(
+      fmt::format("least squares by Q R, because the normal equations {}; the smallest singular "
+                  "value is {:.1e}",
+                  normal_equations, solution.linear.smallest_eigenvalue));
+  return true;
+}
+
 void ScalarProblem::solve_forms(const std::vector<Form>& equations,
                                 const std::vector<TensorProductSpace>& functions,
                                 ScalarSolution& solution) const {
   Stopwatch solve;
   NewtonOptions options;
   options.load_steps = problem_.discretization.load_steps;
-  const bool at_points = problem_.discretization.method == Discretization::Method::collocation;
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
+  options.finer_rule = [&] { return finer_rule(grid); };
   std::optional<Eigen::VectorXd> start;
   for (const ContinuationStop& stop : continuation_stops(problem_)) {
-    if (at_points) throw ComputationError("collocation has no continuation");
     start = solved_stop(stop, functions, solution.rule, linear_options(), options, start);
   }
-  NewtonSolution newton = at_points ? solve_collocation(structures, functions, equations,
-                                                        collocation_rule(grid), options)
-                                    : solve_newton(structures, functions, equations, solution.rule,
-                                                   linear_options(), options, start);
+  NewtonSolution newton = solve_newton(structures, functions, equations, solution.rule,
+                                       linear_options(), options, start);
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,8 +42,8 @@ struct ScalarSolution {
   ScalarResults results;
   int unknowns = 0;  ///< coefficients
   LinearSolution linear;
-  /// ½ ∫ (∇u·K∇u + reaction u²); of custom physics the whole energy, loads and all, or nothing
-  /// where there is none.
+  /// ½ ∫ (∇u·K∇u + reaction u²); of custom physics the energy without its loads, or nothing where
+  /// there is none.
   std::optional<double> energy{};
   double boundary_residual = 0;  ///< max |u − g| over the boundary points of value conditions
   bool mean_set_to_zero = false;
@@ -52,6 +53,8 @@ struct ScalarSolution {
   /// The steps of a nonlinear problem, and the order of convergence that they show.
   std::vector<NewtonIteration> newton{};
   std::optional<double> newton_order{};
+  /// What the user should know of how it was solved.
+  std::vector<std::string> notes{};
   std::optional<EigenResult> eigen{};  ///< of an eigenproblem, whose first mode is the unknown
   SolveSeconds seconds;
 };
@@ -119,6 +122,8 @@ class ScalarProblem {
   DirichletPlan automatic_plan(int component, const DomainRule& probe,
                                const std::optional<BooleanExpression>& form) const;
   NaturalStructure natural_structure(const Grid& grid) const;
+  /// By which errors of quadrature are told from what holds a function softly.
+  DomainRule finer_rule(const Grid& grid) const { return rule(grid, 4); }
   /// The points of collocation: p − 1 per axis (2 at least), enough for more equations than
   /// unknowns, p on boundaries.
   DomainRule collocation_rule(const Grid& grid) const;
@@ -129,6 +134,18 @@ class ScalarProblem {
   void solve_forms(const std::vector<Form>& equations,
                    const std::vector<TensorProductSpace>& functions,
                    ScalarSolution& solution) const;
+  void solve_at_points(const std::vector<Form>& equations,
+                       const std::vector<TensorProductSpace>& functions,
+                       ScalarSolution& solution) const;
+  /// Least squares by normal equations, which `solve_system` solves, or where these have lost six
+  /// digits by Q R: returns whether they have.
+  bool solve_least_squares(const std::vector<Form>& equations,
+                           const std::vector<TensorProductSpace>& functions,
+                           const std::function<void()>& solve_system,
+                           ScalarSolution& solution) const;
+  /// Whether least squares may be solved by Q R, and whether they must.
+  bool may_use_qr() const;
+  bool must_use_qr() const;
   bool has_global_functions() const;
   void solve_equations(ScalarSolution& solution) const;
   void solve_eigen(const Equations& equations, ScalarSolution& solution) const;

@@ -47,8 +47,9 @@ void require_values(const std::vector<DirichletPlan>& plans, const ScalarSolutio
 // What the equations leave free, as the level of a pressure or rigid motions, is pinned somehow.
 LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctions& candidates,
                                    const std::vector<std::string>& unknowns,
-                                   const LinearSolverOptions& options) {
-  const Kernel kernel(system, candidates.coefficients());
+                                   const LinearSolverOptions& options,
+                                   const std::function<LinearSystem()>& finer) {
+  const Kernel kernel(system, candidates.coefficients(), finer);
   LinearSolution solution = rfm::solve(kernel.pinned(system), options);
   // Quadrature keeps the balance of loads to its own error, which is that of the solution.
   const double missing = kernel.incompatibility(system, solution.coefficients);
@@ -90,8 +91,8 @@ std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   const int degree = problem_.discretization.degree;
   double spacing = INFINITY;
   for (int axis = 0; axis < dimension; ++axis)
-    spacing =
-        std::min(spacing, has_global_functions() ? grid.box().length(axis) : grid.spacing(axis));
+    spacing = std::min(
+        spacing, has_global_functions() ? grid.box().length(axis) : grid.smallest_width(axis));
   const double penalty = 20.0 * degree * degree / spacing;
   for (const DirichletPlan& plan : plans_)
     for (const PieceCondition& condition : plan.weakly)
@@ -146,13 +147,24 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   } else {
     parts = contributions(grid);
   }
-  if (problem_.discretization.method == Discretization::Method::collocation || parts.empty()) {
-    if (problem_.discretization.extension)
-      throw ComputationError(
-          "extended splines serve linear problems by Ritz's and Galerkin's method");
-    solve_forms(equations, functions, solution);
-  } else
-    system = solve_linear(parts, functions, free_constant, solution);
+  if (problem_.discretization.extension &&
+      (problem_.discretization.method == Discretization::Method::collocation || parts.empty()))
+    throw ComputationError(
+        "extended splines serve linear problems by Ritz's and Galerkin's method");
+  const auto solve_system = [&] {
+    if (parts.empty())
+      solve_forms(equations, functions, solution);
+    else
+      system = solve_linear(parts, functions, free_constant, solution);
+  };
+  bool at_points =
+      problem_.discretization.method == Discretization::Method::collocation || must_use_qr();
+  if (at_points)
+    solve_at_points(equations, functions, solution);
+  else if (may_use_qr())
+    at_points = solve_least_squares(equations, functions, solve_system, solution);
+  else
+    solve_system();
   if (!(solution.linear.relative_residual < 1e-6))
     throw ComputationError(
         fmt::format("the system of equations could not be solved (relative residual {:.1e})",
@@ -162,21 +174,22 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   const std::vector<Structure> structures = this->structures(grid);
   std::vector<Field> fields = solution_fields(structures, functions, solution.linear.coefficients);
   const FreeFunctions candidates(structures, functions);
-  if (!equations.empty() && !free_constant && candidates.coefficients().cols() > 0 &&
-      problem_.discretization.method != Discretization::Method::collocation) {
+  if (!equations.empty() && !free_constant && candidates.coefficients().cols() > 0 && !at_points) {
     // Without what the equations, at the solution, do not see.
-    const Kernel kernel(parts.empty()
-                            ? tangent_at(equations, fields, structures, functions, solution.rule)
-                            : std::move(system),
-                        candidates.coefficients());
+    const auto tangent = [&](const DomainRule& rule) {
+      return parts.empty() ? tangent_at(equations, fields, structures, functions, rule)
+                           : assemble(structures, functions, parts, rule);
+    };
+    const Kernel kernel(parts.empty() ? tangent(solution.rule) : std::move(system),
+                        candidates.coefficients(), [&] { return tangent(finer_rule(grid)); });
     solution.mean_set_to_zero = kernel.size() > 0;
     fields = candidates.without(kernel.weights(), std::move(fields), solution.rule);
   }
   solution.results.dimension = problem_.dimension;
   for (int c = 0; c < unknown_count(); ++c)
     solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
-  solution.energy = uses_forms(*this) ? energy_of_forms(*this, equations, solution)
-                                      : stored_energy(system, parts, solution);
+  solution.energy =
+      uses_forms(*this) ? energy_of_forms(*this, solution) : stored_energy(system, parts, solution);
   Field& u = solution.results.unknowns[0].field;
   if (free_constant) {
     u = u - integrate(u, solution.rule) / solution.rule.measure();
@@ -246,7 +259,10 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
       free_constant || !uses_forms(*this)
           ? solve_determined(system, functions, solution)
           : solve_beside_kernel(system, FreeFunctions(structures(solution.rule.grid()), functions),
-                                problem_.physics.unknowns, linear_options());
+                                problem_.physics.unknowns, linear_options(), [&] {
+                                  return assemble(structures(solution.rule.grid()), functions,
+                                                  parts, finer_rule(solution.rule.grid()));
+                                });
   if (function_count() > unknown_count())
     solution.undetermined = undetermined_part(system, functions, solution, linear_options());
   solution.seconds.solve = solve.seconds();

@@ -92,6 +92,8 @@ std::string method_name(LinearSolution::Method method) {
       return "lu";
     case LinearSolution::Method::qr:
       return "qr";
+    case LinearSolution::Method::eigenvectors:
+      return "eigenvectors";
     default:
       return "conjugate_gradient";
   }
@@ -183,11 +185,15 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
       {"uncertified_boundary", quadrature.uncertified.boundary},
       {"linear_residual", solution.linear.relative_residual},
       {"linear_solver", solution.eigen ? "lanczos" : method_name(solution.linear.method)},
+      {"smallest_eigenvalue", solution.linear.smallest_eigenvalue},
       {"dropped_splines", solution.linear.dropped}};
+  if (solution.linear.dependent > 0)
+    summary["trust"]["dependent_functions"] = solution.linear.dependent;
   if (solution.undetermined) summary["trust"]["undetermined"] = *solution.undetermined;
   constexpr int most_cells = 5;
   if (const auto cells = worst_cells(solution.rule, most_cells); !cells.empty())
     summary["trust"]["worst_cells"] = as_json(cells, file.dimension);
+  for (const std::string& note : solution.notes) summary["notes"].push_back(note);
   for (const std::string& note : report.notes) summary["notes"].push_back(note);
   add_structures(summary, problem, solution.rule.grid());
   const RunReport::Seconds& seconds = report.seconds;
