@@ -83,8 +83,11 @@ void log_accuracy(const DomainRule& rule, RunLog& log) {
       "quadrature: orders differ by {:.1e}, on the boundary by {:.1e}; divergence theorem {:.1e}",
       report.order_difference.volume, report.order_difference.boundary, report.divergence_defect);
   if (report.uncertified.boxes > 0)
-    log.line("note: quadrature is a best effort in {} boxes of total measure {:.1e}",
-             report.uncertified.boxes, report.uncertified.measure);
+    log.line(
+        "note: quadrature is a best effort in {} boxes of total measure {:.1e}, with at most "
+        "{:.1e} "
+        "of the boundary",
+        report.uncertified.boxes, report.uncertified.measure, report.uncertified.boundary);
   constexpr int most_cells = 3;
   for (const WorstCell& cell : worst_cells(rule, most_cells))
     log.line("  {}", as_text(cell, rule.dimension()));

@@ -55,8 +55,9 @@ class PartChecker {
       const double part = measure(where ? step(*where) : Field(1.0), primitives[i]);
       if (target.where && part <= negligible_)
         mistakes_.add(
-            fmt::format("the region '{}' is empty: its 'where' is negative on all of '{}'",
-                        target.name, names[i]),
+            fmt::format("the region '{}' is empty: its 'where' is negative on all of '{}'{}",
+                        target.name, names[i],
+                        part > 0 ? " but less than a billionth of the boundary" : ""),
             target.place);
       total += part;
     }

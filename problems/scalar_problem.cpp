@@ -68,11 +68,29 @@ bool contains(const Box& outer, const Box& inner) {
   return true;
 }
 
+// Whether the domain itself, whatever bounds its file gives, lies in a box.
+bool lies_within(const Box& box, const RegionEvaluator& region) {
+  try {
+    return contains(box, bounding_box(region));
+  } catch (const InvalidArgument&) {
+    return false;
+  }
+}
+
 // Gauss points per cell for functions of the whole domain (problems/problem_grid.cpp).
 constexpr int global_points = 8;
 // Beyond the degree, for structures with further functions. With three the errors of what corrects
 // fluxes near the boundary stop falling at 10⁻⁷, with five they do not.
 constexpr int corrected_points = 5;
+
+// Whether measures can be told in doubles.
+void check_size(const Box& bounds, const Problem& problem) {
+  if (std::isnormal(bounds.measure())) return;
+  refuse(fmt::format("the measure of the domain, with sides of {:.1e}, is beyond double precision: "
+                     "choose another unit of length",
+                     bounds.longest_side()),
+         domain_place(problem));
+}
 
 }  // namespace
 
@@ -101,6 +119,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   coarse.inside_points = 1;
   coarse.cut_points = 2;
   const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_.all());
+  check_size(bounds_, problem);
   if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
   for (int k = 0; k < region_.primitive_count(); ++k)
     if (!region_.region().primitives()[k]->selects_only &&
@@ -129,11 +148,11 @@ bool ScalarProblem::misses_divergence_theorem(const DomainRule& rule) {
 
 void ScalarProblem::check_within_grid(const DomainRule& rule) const {
   // A domain that is cut off by the box has a boundary without points: the divergence theorem
-  // fails. So it may for a thin body on this coarse rule, too; where the bounds are the program's
-  // own, they tell the two apart.
+  // fails. So it may for a thin body on this coarse rule, too; the bounds that the program finds
+  // tell the two apart.
   if (!misses_divergence_theorem(rule)) return;
   const Grid box = grid();
-  if (!problem_.bounds && contains(box.box(), bounds_)) return;
+  if (problem_.bounds ? lies_within(box.box(), region_) : contains(box.box(), bounds_)) return;
   std::string text;
   for (int axis = 0; axis < problem_.dimension; ++axis)
     text += fmt::format("{}{} from {:.6g} to {:.6g}", axis > 0 ? ", " : "", "xyz"[axis],

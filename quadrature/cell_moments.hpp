@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,15 +32,21 @@ struct MomentSums {
 };
 
 /// The length of a gradient at a surface, and by how much the surface is larger there than its
-/// shadow across `height`.
+/// shadow across `height`: nothing if the gradient is zero or not finite, so that it has no
+/// direction. Slopes of certified graphs are bounded; best efforts are cut off at `steepest`.
 struct SurfaceStretch {
-  SurfaceStretch(const Point& gradient, int dimension, int height) {
+  static constexpr double steepest_graph = 1e4, steepest_guess = 100;
+
+  SurfaceStretch(const Point& gradient, int dimension, int height, double steepest) {
     for (int axis = 0; axis < dimension; ++axis) length += gradient[axis] * gradient[axis];
     length = std::sqrt(length);
-    // Steeper than any certified graph; only best efforts are cut off.
-    constexpr double steepest = 1e4;
-    stretch = length / std::fabs(gradient[height]);
-    if (!(stretch < steepest)) stretch = steepest;
+    constexpr double least = 1e-140, most = 1e140;  // whose squares are normal
+    if (!(length > least && length < most)) {
+      length = 0;
+      for (int axis = 0; axis < dimension; ++axis) length = std::hypot(length, gradient[axis]);
+    }
+    if (length > 0 && std::isfinite(length))
+      stretch = std::min(length / std::fabs(gradient[height]), steepest);
   }
   double length = 0;
   double stretch = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "quadrature/box_sides.hpp"
 #include "quadrature/surface_candidates.hpp"
 
 namespace rfm {
@@ -33,10 +34,18 @@ bool is_few(std::size_t primitives, std::size_t interfaces) {
          primitives + interfaces <= static_cast<std::size_t>(ActiveSet::capacity);
 }
 
-// The nodes of the graph of an expression.
+// Roots and real powers, and bounds of them, take as long as many sums.
+int weight_of(Operation operation) {
+  constexpr int of_roots = 16;
+  const bool is_root = operation == Operation::cbrt || operation == Operation::real_power ||
+                       operation == Operation::power;
+  return is_root ? of_roots : 1;
+}
+
+// The nodes of the graph of an expression, dear ones several times.
 int count_operations(const Field& field, std::set<const Field::Node*>& seen) {
   if (!seen.insert(&field.node()).second) return 0;
-  int count = 1;
+  int count = weight_of(field.node().operation);
   for (const Field& argument : field.node().arguments) count += count_operations(argument, seen);
   return count;
 }
@@ -127,7 +136,8 @@ Uncertified CellSurfaces::visit_crowded(const Box& box, SurfaceCandidates candid
     ActiveSet center;
     center.table = TruthTable(region_.contains(box.center()));
     visit(box, center);
-    return {1, box.measure()};
+    return {1, box.measure(),
+            static_cast<double>(candidates.primitives.size()) * measure_of_sides(box)};
   }
   Uncertified uncertified;
   for (const Box& half : bisect(box, box.longest_axis()))

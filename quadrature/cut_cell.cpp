@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quadrature/box_sides.hpp"
 #include "quadrature/order_comparison.hpp"
 
 namespace rfm {
@@ -11,12 +12,33 @@ namespace {
 // In steps of `work_done`: mostly the time to touch new memory.
 constexpr int work_of_point = 4;
 
+// Where a surface is as steep as a cube root at its zero there is a direction beside it.
+Point surface_gradient(const Surface& surface, const Point& point, int height) {
+  constexpr double beside = 1e-9;
+  Point gradient{};
+  surface.value_and_gradient(point, gradient);
+  const auto is_known = [&] {
+    const double size = std::fabs(gradient[0]) + std::fabs(gradient[1]) + std::fabs(gradient[2]);
+    return size > 0 && std::isfinite(size);
+  };
+  for (const double step : {beside, -beside}) {
+    if (is_known()) break;
+    Point near = point;
+    near[height] += step * std::max(1e-3, std::fabs(point[height]));
+    surface.value_and_gradient(near, gradient);
+  }
+  return gradient;
+}
+
 // Makes points and weights.
 struct PointSink {
   int dimension;
   CellRule& rule;
   MomentSums sums;
   const Frame* frame = nullptr;
+  double steepest = SurfaceStretch::steepest_graph;
+  /// Some points of the part could not be made.
+  bool misses_points = false;
 
   Point world(const Point& point) const { return frame ? frame->to_world(point) : point; }
 
@@ -27,6 +49,10 @@ struct PointSink {
   void line_part(const LineSegment& line, double from, double length, double weight,
                  const GaussRule& gauss) {
     work_done += work_of_point * gauss.size();
+    if (!std::isfinite(from) || !std::isfinite(length * weight)) {
+      misses_points = true;
+      return;
+    }
     Point point = line.through;
     for (int i = 0; i < gauss.size(); ++i) {
       point[line.axis] = from + length * gauss.nodes[i];
@@ -39,10 +65,13 @@ struct PointSink {
                      const Point& point, int height, double weight) {
     if (active.numbers[surface] == ActiveSet::no_piece) return;
     work_done += active.surfaces[surface]->cost().crossing;
-    Point gradient{};
-    active.surfaces[surface]->value_and_gradient(point, gradient);
-    const SurfaceStretch at(gradient, dimension, height);
-    const double scale = at.length > 0 ? (inside_is_positive ? -1 : 1) / at.length : 0.0;
+    Point gradient = surface_gradient(*active.surfaces[surface], point, height);
+    const SurfaceStretch at(gradient, dimension, height, steepest);
+    if (!(at.stretch > 0) || !std::isfinite(point[height] + weight)) {
+      misses_points = true;
+      return;
+    }
+    const double scale = (inside_is_positive ? -1 : 1) / at.length;
     Point normal{};
     for (int axis = 0; axis < dimension; ++axis) normal[axis] = scale * gradient[axis];
     SurfacePoints& points = active.is_interface(surface) ? rule.interfaces : rule.boundary;
@@ -85,15 +114,18 @@ class RuleBuilder : public PartVisitor {
     add(
         reduction.active(), [&](auto& rule) { rule.add_plane(reduction, 1); },
         [&](auto& others, const LineRecord* record) { others.add_plane(reduction, record); });
+    end_part(reduction.plane().box);
   }
   void reduced(Reduction3D& reduction) override {
     begin_part(nullptr);
     add(
         reduction.active(), [&](auto& rule) { rule.add_space(reduction); },
         [&](auto& others, const LineRecord* record) { others.add_space(reduction, record); });
+    end_part(reduction.box());
   }
-  void not_certified() override {
-    rule_.uncertified.boundary += rule_.moments.measure.boundary - boundary_before_;
+  void not_certified(double missing) override {
+    rule_.uncertified.boundary +=
+        std::max(missing, rule_.moments.measure.boundary - boundary_before_);
   }
 
   void begin(const PartQuality& quality) override { quality_ = quality; }
@@ -109,6 +141,7 @@ class RuleBuilder : public PartVisitor {
       OrderComparison others(cell_, rule_.other_moments, quality_.most_points,
                              sink_.sums.with_first);
       others.set_frame(sink_.frame);
+      others.set_steepest(sink_.steepest);
       compare(others, nullptr);
       return;
     }
@@ -132,6 +165,18 @@ class RuleBuilder : public PartVisitor {
   void begin_part(const Frame* frame) {
     sink_.frame = frame;
     boundary_before_ = rule_.moments.measure.boundary;
+    sink_.misses_points = false;
+    sink_.steepest =
+        quality_.proven ? SurfaceStretch::steepest_graph : SurfaceStretch::steepest_guess;
+    others_.set_steepest(sink_.steepest);
+  }
+
+  // Points that are no numbers are left out.
+  void end_part(const Box& box) {
+    if (!sink_.misses_points) return;
+    ++rule_.uncertified.boxes;
+    rule_.uncertified.measure += box.measure();
+    rule_.uncertified.boundary += measure_of_sides(box);
   }
 
   static std::int64_t power(int base, int exponent) {

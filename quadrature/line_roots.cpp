@@ -9,11 +9,19 @@
 namespace rfm {
 namespace {
 
+// Whether the square of a slope leaves the range of doubles.
+bool is_extreme(double slope) {
+  constexpr double least = 1e-140, most = 1e140;
+  const double size = std::fabs(slope);
+  return (size < least || size > most) && size > 0 && std::isfinite(size);
+}
+
 // The root near zero of c + b s + a s². Where the parabola is nearly straight it is a continued
 // fraction with one division instead of a root between two, to a relative error of (ac/b²)⁴: half
 // of the time of a step.
 double near_root(double c, double b, double a) {
   constexpr double nearly_straight = 0.04;
+  if (is_extreme(b)) return near_root(c / std::fabs(b), std::copysign(1, b), a / std::fabs(b));
   const double bb = b * b, ac = a * c;
   if (std::fabs(ac) <= nearly_straight * bb)
     return -c * b * (bb - 2 * ac) / (bb * (bb - 3 * ac) + ac * ac);
@@ -25,6 +33,8 @@ double near_root(double c, double b, double a) {
 // the nearer one, 2|c| / (|b| + √(b² − 4ac)), if the polynomial starts towards zero, and the
 // farther one otherwise: no difference of nearly equal numbers is taken.
 double quadratic_root(double c, double b, double a, double length) {
+  if (const double size = std::fabs(b) + std::fabs(a) * length; is_extreme(size))
+    return quadratic_root(c / size, b / size, a / size, length);
   const double root = std::sqrt(std::max(b * b - 4 * a * c, 0.0));
   const bool towards_zero = (c >= 0) != (b > 0);
   const double step = towards_zero ? 2 * std::fabs(c) / (std::fabs(b) + root)
@@ -39,14 +49,19 @@ struct Ends {
 
 // The root of a surface on a segment from a start nearby: each step solves the parabola of value,
 // slope and the curvature found from the last two slopes. After a step d the error is of order d³,
-// so that most roots take two.
+// so that most roots take two. Zeros of several or of no derivatives take many, which is work of
+// its own.
 double polished_root(const Surface& surface, const LineSegment& line, const Ends& ends,
                      double start) {
   constexpr int max_steps = 6;
   constexpr double last_step = 3e-6;
   const double length = line.high - line.low;
   Point point = line.through;
+  int evaluations = 0;
   const auto along = [&](double t, double& slope) {
+    constexpr int paid = 4, per_crossing = 4;
+    if (++evaluations > paid)
+      work_done += (surface.cost().crossing + per_crossing - 1) / per_crossing;
     point[line.axis] = t;
     return surface.value_and_slope(point, line.axis, slope);
   };

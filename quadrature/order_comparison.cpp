@@ -40,8 +40,9 @@ void MomentSink::surface_point(const ActiveSet& active, int surface, bool, const
 void MomentSink::surface_point(const ActiveSet& active, int surface, const Point& point,
                                const Point& gradient, int height, double weight) {
   if (active.numbers[surface] == ActiveSet::no_piece || active.is_interface(surface)) return;
-  sums.add(&CellMeasure::boundary, world(point),
-           weight * SurfaceStretch(gradient, dimension, height).stretch);
+  const double measure = weight * SurfaceStretch(gradient, dimension, height, steepest).stretch;
+  if (std::isfinite(measure + point[height]))
+    sums.add(&CellMeasure::boundary, world(point), measure);
 }
 
 OrderComparison::OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first)

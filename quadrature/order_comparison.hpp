@@ -11,10 +11,12 @@ struct MomentSink {
   int dimension;
   MomentSums sums;
   const Frame* frame = nullptr;
+  double steepest = SurfaceStretch::steepest_graph;
 
   Point world(const Point& point) const { return frame ? frame->to_world(point) : point; }
   void line_part(const LineSegment& line, double from, double length, double weight,
                  const GaussRule&) {
+    if (!std::isfinite(from + length * weight)) return;
     sums.add(&CellMeasure::volume, world(line.at(from + 0.5 * length)), weight * length);
   }
   void surface_point(const ActiveSet& active, int surface, bool, const Point& point, int height,
@@ -36,6 +38,8 @@ class OrderComparison {
   OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first);
 
   void set_frame(const Frame* frame) { sink_.frame = frame; }
+  /// See `SurfaceStretch`.
+  void set_steepest(double steepest) { sink_.steepest = steepest; }
   void add_line(const ActiveSet& active, const LineSegment& line) {
     rule_.add_line(active, 0, line, 1);
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "quadrature/box_sides.hpp"
+#include "quadrature/flat_surface.hpp"
 #include "quadrature/rotated_frame.hpp"
 
 namespace rfm {
@@ -30,6 +32,14 @@ void simplify(const Box& box, ActiveSet& active, SurfaceBounds& bounds) {
       drop(active, bounds, i, false);
 }
 
+// What of the boundary there may be in a box: on each of its surfaces what the sides measure.
+double boundary_measure(const Box& box, const ActiveSet& active) {
+  int surfaces = 0;
+  for (int i = 0; i < active.region_count(); ++i)
+    surfaces += active.numbers[i] != ActiveSet::no_piece;
+  return surfaces * measure_of_sides(box);
+}
+
 }  // namespace
 
 Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisitor& visitor,
@@ -40,6 +50,7 @@ Uncertified Subdivision::run(const Box& box, const ActiveSet& active, PartVisito
   const WorkLimit limit(static_cast<std::int64_t>(share * static_cast<double>(options_.max_work)));
   is_limited_ = false;
   uncertified_ = {};
+  planes_.clear();
   visit(box, active, 0);
   visit_waiting();
   return uncertified_;
@@ -92,6 +103,7 @@ void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
   const std::span known(bounds.data(), static_cast<std::size_t>(active.count));
   const HeightDirections heights = find_heights(box, known, flatness(box.dimension, depth));
   if (reduced(box, active, known, heights, depth)) return;
+  if (flattened(box, active, known, depth)) return;
   const bool smooth =
       std::all_of(known.begin(), known.end(), [](const FunctionBounds& b) { return b.smooth; });
   if (box.dimension == 2 && depth >= options_.rotation_depth && smooth &&
@@ -108,6 +120,37 @@ void Subdivision::visit(const Box& box, ActiveSet active, int depth) {
 
 void Subdivision::bisect_later(const Box& box, const ActiveSet& active, int depth, int axis) {
   for (const Box& half : bisect(box, axis)) waiting_.push_back({half, active, depth + 1});
+}
+
+// Planes in the place of surfaces that are flat up to rounding. Where it is chance to which box a
+// side belongs this is put off until boxes are small.
+bool Subdivision::flattened(const Box& box, const ActiveSet& active,
+                            std::span<const FunctionBounds> bounds, int depth) {
+  if (frame_) return false;
+  ActiveSet flat = active;
+  bool is_any = false, is_sure = true;
+  for (int i = 0; i < active.count; ++i) {
+    const auto found = find_flat_surface(box, *active.surfaces[i], bounds[i]);
+    if (!found || (!found->is_sure && depth < options_.rotation_depth)) continue;
+    planes_.push_back(found->plane);
+    flat.surfaces[i] = &planes_.back();
+    is_any = true;
+    is_sure &= found->is_sure;
+  }
+  if (!is_any) return false;
+  visit(box, flat, depth);
+  if (!is_sure) add_uncertified(box, boundary_measure(box, active));
+  return true;
+}
+
+// A best effort of the region would pay for what splits its inside alone.
+bool Subdivision::without_interfaces(const Box& box, const ActiveSet& active, int depth) {
+  if (active.count == active.region_count() || active.region_count() == 0) return false;
+  ActiveSet region = active;
+  region.count = region.region_count();
+  visit(box, region, depth);
+  add_uncertified(box, 0);
+  return true;
 }
 
 bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
@@ -134,8 +177,8 @@ bool Subdivision::rotated(const Box& box, const ActiveSet& active, int depth) {
   max_depth_ = max_depth;
   frame_ = nullptr;
   if (rotation->touches_side()) {
-    ++uncertified_.boxes;
-    uncertified_.measure += box.measure();
+    constexpr double root_of_rounding = 1e-6;
+    add_uncertified(box, root_of_rounding * boundary_measure(box, active));
   }
   return true;
 }
@@ -147,14 +190,17 @@ bool Subdivision::reduced(const Box& box, const ActiveSet& active,
   const bool proven = heights.proven_count > 0;
   if (!proven && may_bisect(active, depth)) return false;
   if (box.dimension == 3) return space_reduced(box, active, bounds, heights, depth);
+  if (!proven && without_interfaces(box, active, depth)) return true;
   if (box.dimension == 2) {
     const int height = proven ? heights.proven[0] : heights.likely;
     plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
     report(plane_, proven);
-    if (!proven || !plane_.certified() || is_limited_) add_uncertified(box);
+    const bool certified = proven && plane_.certified();
+    if (!certified || is_limited_)
+      add_uncertified(box, certified ? 0 : boundary_measure(box, active));
   } else {
     visitor_->reduced(active, {{}, 0, box.low[0], box.high[0]});
-    if (!proven) add_uncertified(box);
+    if (!proven) add_uncertified(box, boundary_measure(box, active));
   }
   return true;
 }
@@ -180,19 +226,20 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
     if (outcome == Reduction3D::Outcome::not_reduced) continue;
     report(space_, !space_.has_contacts());
     if (!space_.certified() || is_limited_) {
-      add_uncertified(box);
+      add_uncertified(box, space_.certified() ? 0 : boundary_measure(box, active));
     } else if (space_.has_contacts()) {
       add_contact(box);
     }
     return true;
   }
   if (may_bisect(active, depth)) return false;
+  if (without_interfaces(box, active, depth)) return true;
   options.best_effort = true;
   options.in_haste = depth < max_depth_ || 2 * (last_work - work_done) < options_.max_work;
   space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
                options);
   report(space_, false);
-  add_uncertified(box);
+  add_uncertified(box, boundary_measure(box, active));
   return true;
 }
 
@@ -201,10 +248,10 @@ void Subdivision::add_contact(const Box& box) {
   uncertified_.contact_measure += box.measure();
 }
 
-void Subdivision::add_uncertified(const Box& box) {
+void Subdivision::add_uncertified(const Box& box, double missing) {
   ++uncertified_.boxes;
   uncertified_.measure += box.measure();
-  visitor_->not_certified();
+  visitor_->not_certified(missing);
 }
 
 }  // namespace rfm

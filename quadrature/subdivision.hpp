@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "quadrature/height_direction.hpp"
@@ -31,12 +32,14 @@ class PartVisitor {
   virtual void reduced(Reduction3D& reduction) = 0;
   /// Comes before `reduced` in the plane and in space.
   virtual void begin(const PartQuality&) {}
-  /// The part reported last is a best effort.
-  virtual void not_certified() {}
+  /// The part reported last is a best effort, in which `missing` of the boundary may be missing.
+  virtual void not_certified(double /* missing */) {}
 };
 
 /// Takes boxes apart: bounds fix the signs of surfaces, and a box with a height direction is
-/// reduced; another is bisected (or, near a corner of the plane, seen in a rotated frame).
+/// reduced; another is bisected (or, near a corner of the plane, seen in a rotated frame; or
+/// surfaces that are planes across an axis up to rounding are replaced by these). Where nothing
+/// serves, interfaces are left out before pieces of the boundary are lost.
 class Subdivision {
  public:
   explicit Subdivision(const SubdivisionOptions& options) : options_(options) {}
@@ -55,6 +58,9 @@ class Subdivision {
   void visit_waiting();
   void visit(const Box& box, ActiveSet active, int depth);
   void bisect_later(const Box& box, const ActiveSet& active, int depth, int axis);
+  bool flattened(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
+                 int depth);
+  bool without_interfaces(const Box& box, const ActiveSet& active, int depth);
   bool rotated(const Box& box, const ActiveSet& active, int depth);
   bool reduced(const Box& box, const ActiveSet& active, std::span<const FunctionBounds> bounds,
                const HeightDirections& heights, int depth);
@@ -65,8 +71,8 @@ class Subdivision {
   template <class Reduction>
   void report(Reduction& reduction, bool proven);
   void add_contact(const Box& box);
-  /// After `box` was reported.
-  void add_uncertified(const Box& box);
+  /// After `box` was reported; `missing`: of the boundary.
+  void add_uncertified(const Box& box, double missing);
   double flatness(int dimension, int depth) const;
 
   SubdivisionOptions options_;
@@ -76,6 +82,8 @@ class Subdivision {
   /// The part reported last had fewer points.
   bool is_limited_ = false;
   std::vector<Waiting> waiting_;
+  /// Of the boxes of this run; not moved when there are more.
+  std::deque<Surface> planes_;
   std::size_t next_ = 0;
   Uncertified uncertified_;
   Reduction2D plane_;

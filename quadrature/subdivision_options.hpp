@@ -31,12 +31,14 @@ struct SubdivisionOptions {
 };
 
 /// Where a cell could not be resolved within its budget: rules and pictures there are a best
-/// effort, with an error of at most the measure of these boxes.
+/// effort, with an error of the volume of at most the measure of these boxes.
 struct Uncertified {
   int boxes = 0;
   double measure = 0;
-  /// Length or area of the boundary as rules have it in these boxes: of this much, the pieces to
-  /// which points belong are a best effort, too. Known where a rule of the boundary is made.
+  /// Length or area of the boundary in these boxes: as rules have it, whose pieces are a best
+  /// effort, too, or, where structure is not proven and pieces may be missing, what the sides of a
+  /// box measure for each surface in it, if that is more. Known where a rule of the boundary is
+  /// made.
   double boundary = 0;
   /// Boxes in which surfaces of space seem to touch without crossing: bounds cannot prove a
   /// tangency, but the extrema of their distance have one sign up to rounding. The rules there have

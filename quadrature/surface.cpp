@@ -1,5 +1,6 @@
 #include "quadrature/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rfm {
@@ -53,9 +54,7 @@ FunctionBounds Surface::bounds(const Box& box) const {
     result.value = world.value;
     result.smooth = world.smooth;
   } else {
-    result.gradient[0] = normal_[0];
-    result.gradient[1] = normal_[1];
-    result.value = Interval::entire();
+    return plane_bounds(box);
   }
   const Point center = box.center();
   Interval mean_value = value(center);
@@ -66,9 +65,27 @@ FunctionBounds Surface::bounds(const Box& box) const {
   return result;
 }
 
+// Values are exact where the plane is parallel to axes, and on the plane zero.
+FunctionBounds Surface::plane_bounds(const Box& box) const {
+  FunctionBounds result;
+  Point least{}, most{};
+  double size = std::fabs(offset_);
+  int components = 0;
+  for (int i = 0; i < box.dimension; ++i) {
+    result.gradient[i] = normal_[i];
+    least[i] = normal_[i] >= 0 ? box.low[i] : box.high[i];
+    most[i] = normal_[i] >= 0 ? box.high[i] : box.low[i];
+    size += std::fabs(normal_[i]) * std::max(std::fabs(box.low[i]), std::fabs(box.high[i]));
+    components += normal_[i] != 0;
+  }
+  const double margin = components > 1 ? 1e-15 * size : 0;
+  result.value = Interval(other_value(least) - margin, other_value(most) + margin);
+  return result;
+}
+
 double Surface::other_value(const Point& point) const {
   if (level_) return level_->value(frame_->to_world(point));
-  return offset_ + normal_[0] * point[0] + normal_[1] * point[1];
+  return offset_ + normal_[0] * point[0] + normal_[1] * point[1] + normal_[2] * point[2];
 }
 
 double Surface::other_slope(const Point& point, int axis, double& slope) const {
@@ -81,7 +98,7 @@ double Surface::other_slope(const Point& point, int axis, double& slope) const {
 double Surface::other_gradient(const Point& point, Point& gradient) const {
   if (!level_) {
     gradient = normal_;
-    return offset_ + normal_[0] * point[0] + normal_[1] * point[1];
+    return other_value(point);
   }
   Point world{};
   const double value = level_->value_and_gradient(frame_->to_world(point), world);

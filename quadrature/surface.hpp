@@ -19,9 +19,9 @@ struct Frame {
   Box hull(const Box& local) const;
 };
 
-/// A level function as the reduction of cells sees it: itself, the same in a rotated frame, or the
-/// side of a cell in a rotated frame (a half-plane). Coordinates are those of the frame. Cheap to
-/// copy; refers to the level function and the frame, which must outlive it.
+/// A level function as the reduction of cells sees it: itself, the same in a rotated frame, or a
+/// half-plane (the side of a cell in a rotated frame) or half-space. Coordinates are those of the
+/// frame. Cheap to copy; refers to the level function and the frame, which must outlive it.
 class Surface {
  public:
   explicit Surface(const LevelFunction& level, const Frame* frame = nullptr)
@@ -31,7 +31,7 @@ class Surface {
   /// Tells what the surface costs; until then it counts as a closed form.
   void set_cost(const WorkCost& cost) { cost_ = cost; }
   const WorkCost& cost() const { return cost_; }
-  /// The half-plane offset + normal · (ξ, η) ≥ 0.
+  /// The half-plane offset + normal · (ξ, η) ≥ 0, or half-space.
   Surface(double offset, const Point& normal) : offset_(offset), normal_(normal) {}
 
   double value(const Point& point) const {
@@ -47,7 +47,7 @@ class Surface {
   }
   /// Bounds over a box of the frame; those in a rotated frame come from the hull of the box.
   FunctionBounds bounds(const Box& box) const;
-  /// The level function itself; null for the side of a cell.
+  /// The level function itself; null for a half-plane.
   const LevelFunction* level() const { return level_; }
   /// The polynomial, of degree ≤ 2, in the world's coordinates; null for others.
   const QuadricEvaluator* quadric() const {
@@ -55,6 +55,7 @@ class Surface {
   }
 
  private:
+  FunctionBounds plane_bounds(const Box& box) const;
   double other_value(const Point& point) const;
   double other_slope(const Point& point, int axis, double& slope) const;
   double other_gradient(const Point& point, Point& gradient) const;

@@ -38,6 +38,7 @@ class VertexFinder {
       for (const PrimitivePair& pair : part.pairs) search(part, {pair.first, pair.second});
       return;
     }
+    for (const PrimitivePair& pair : part.pairs) search_contact(part, pair);
     const int count = static_cast<int>(part.primitives.size());
     for (int i = 0; i < count; ++i)
       for (int j = i + 1; j < count; ++j)
@@ -62,6 +63,40 @@ class VertexFinder {
     const ZeroSet zeros = isolate_zeros(functions, part.box, used);
     for (const Point& point : zeros.zeros) add(part, point);
     unresolved_.insert(unresolved_.end(), zeros.unresolved.begin(), zeros.unresolved.end());
+  }
+
+  // Where two surfaces of space touch in a point, or cross in curves that meet in a point: halves
+  // boxes until they are few and small. Where they are many the surfaces touch along a curve or are
+  // one, and there is no point to tell.
+  void search_contact(const CandidateBox& part, const PrimitivePair& pair) {
+    constexpr std::size_t most_boxes = 96;
+    constexpr int halvings = 3 * 12;
+    const LevelFunction& f = region_.level(part.primitives[pair.first]);
+    const LevelFunction& g = region_.level(part.primitives[pair.second]);
+    std::vector<Box> boxes{part.box}, next;
+    for (int level = 0; level < halvings && !boxes.empty(); ++level) {
+      if (boxes.size() > most_boxes) return;
+      next.clear();
+      for (const Box& box : boxes)
+        for (const Box& half : bisect(box, box.longest_axis()))
+          if (may_touch(f, g, half)) next.push_back(half);
+      std::swap(boxes, next);
+    }
+    unresolved_.insert(unresolved_.end(), boxes.begin(), boxes.end());
+  }
+
+  // Whether bounds leave open that both vanish in a box with parallel gradients.
+  static bool may_touch(const LevelFunction& f, const LevelFunction& g, const Box& box) {
+    const FunctionBounds a = f.bounds(box);
+    if (a.value.excludes_zero()) return false;
+    const FunctionBounds b = g.bounds(box);
+    if (b.value.excludes_zero()) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+      if ((a.gradient[i] * b.gradient[j] - a.gradient[j] * b.gradient[i]).excludes_zero())
+        return false;
+    }
+    return true;
   }
 
   void add(const CandidateBox& part, const Point& point) {

@@ -127,6 +127,65 @@ TEST(FailureModes, CornerOfAHorizontalAndAVerticalTangent) {
   EXPECT_EQ(fine.report.uncertified.boxes, 0);
 }
 
+TEST(FailureModes, SidesThatAreStraightWithoutShowingItMeetCirclesAtRightAngles) {
+  // On lines of the grid and between them.
+  for (const Field& factor : {3 + square(x()), exp(x()), -exp(-x())})
+    for (const double height : {0.0, 0.1})
+      for (const int cells : {4, 5, 16, 17}) {
+        const Errors error = errors(disk(0.02, height, 1) & region_of((y() - height) * factor, 2),
+                                    pi / 2, pi + 2, cells, 12);
+        EXPECT_LT(error.area, cells < 10 ? 1e-10 : 1e-13) << cells;
+        EXPECT_LT(error.perimeter, cells < 10 ? 1e-8 : 1e-12) << cells;
+        EXPECT_EQ(error.report.uncertified.boxes, 0) << cells;
+      }
+}
+
+TEST(FailureModes, InterfacesTakeNothingFromTheBoundary) {
+  const RegionEvaluator region(disk(0, 0, 1));
+  // Lines through the circle along axes, and a curve that meets it at right angles in all of its
+  // points with a horizontal or vertical tangent.
+  for (const Field& inside : {(x() - 0.3) * y(), x() * y() * exp(x()), sin(3 * x()) * y()})
+    for (const int cells : {16, 17, 24}) {
+      std::vector<LevelFunction> interfaces;
+      interfaces.emplace_back(inside, 2);
+      const DomainRule rule = make_domain_rule(region, grid(1, cells), {}, interfaces);
+      EXPECT_NEAR(rule.boundary_measure(), 2 * pi, rule.report().order_difference.boundary + 1e-12)
+          << cells;
+    }
+}
+
+TEST(FailureModes, WhereStructureIsNotProvenTheBoundaryMayBeMissingAndThatIsSaid) {
+  // Bounds of a quotient that cancels say nothing near x = 0, and points there are no numbers.
+  const Field r2 = square(x()) + square(y());
+  for (const Field& level : {cbrt(1 - r2), (1 - r2) / x() * x(), (1 - r2) * (1 - r2) * (1 - r2)}) {
+    const DomainRule rule = make_domain_rule(RegionEvaluator(region_of(level, 2)), grid(2.1, 4));
+    const QuadratureReport& report = rule.report();
+    EXPECT_GT(report.uncertified.boxes, 0);
+    EXPECT_TRUE(std::isfinite(report.divergence_defect));
+    EXPECT_TRUE(std::isfinite(report.order_difference.boundary));
+    EXPECT_NEAR(rule.boundary_measure(), 2 * pi, report.uncertified.boundary);
+    EXPECT_NEAR(rule.measure(), pi, report.uncertified.measure);
+  }
+}
+
+TEST(FailureModes, CubeRootsKeepTheDirectionOfTheirSurface) {
+  const Errors error = errors(region_of(cbrt(1 - square(x()) - square(y())), 2), pi, 2 * pi, 5, 6);
+  EXPECT_LT(error.area, 1e-4);
+  EXPECT_LT(error.perimeter, 0.1);
+}
+
+TEST(FailureModes, TheSizeOfAFunctionDoesNotMatter) {
+  // Neither squares of gradients nor of values are numbers.
+  for (const double size : {1e-200, 1e200})
+    for (const Field& shape :
+         {1 - square(x()) - square(y()), exp(1 - square(x()) - square(y())) - 1}) {
+      const Errors error = errors(region_of(size * shape, 2), pi, 2 * pi, 16, 10);
+      EXPECT_LT(error.area, 1e-13) << size;
+      EXPECT_LT(error.perimeter, 1e-12) << size;
+      EXPECT_EQ(error.report.uncertified.boxes, 0) << size;
+    }
+}
+
 TEST(FailureModes, CoincidentPrimitivesAndScaledCopiesCountOnce) {
   const Field f = 1 - square(x()) - square(y());
   const Region region = region_of(f, 2) & region_of(f * (2 + x()), 2) & region_of(3 * f, 2);

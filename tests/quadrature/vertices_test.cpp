@@ -185,4 +185,34 @@ TEST(Vertices, OfSidesThatCoincideWithACurveAreThoseOfTheOthers) {
   EXPECT_TRUE(found.unresolved.empty());
 }
 
+TEST(Vertices, WhereTwoSurfacesTouchInAPointThereIsNoProofAndThePointIsTold) {
+  // Steinmetz: the two ellipses in which the cylinders meet cross at (0, ±1, 0).
+  const Region two =
+      region_of(1 - square(x()) - square(y()), 3) & region_of(1 - square(y()) - square(z()), 3);
+  const Box box{3, {-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1}};
+  const VertexSearch found = find_vertices(RegionEvaluator(two), box);
+  EXPECT_TRUE(found.vertices.empty());
+  ASSERT_EQ(found.unresolved.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(found.unresolved[k][0], 0, 1e-3);
+    EXPECT_NEAR(found.unresolved[k][1], k == 0 ? -1 : 1, 1e-3);
+    EXPECT_NEAR(found.unresolved[k][2], 0, 1e-3);
+  }
+  // Of three cylinders eight vertices are corners of a cube; in six points two of them touch.
+  const Region three = two & region_of(1 - square(z()) - square(x()), 3);
+  const VertexSearch all = find_vertices(RegionEvaluator(three), box);
+  EXPECT_EQ(all.vertices.size(), 8u);
+  EXPECT_EQ(all.unresolved.size(), 6u);
+}
+
+TEST(Vertices, ContactsAlongCurvesAreNoPoints) {
+  // A plane that touches a torus along a circle.
+  const Region torus =
+      region_of(0.0625 - square(sqrt(square(x()) + square(y())) - 0.7) - square(z()), 3);
+  const Region body = torus & region_of(0.25 - z(), 3);
+  const VertexSearch found = find_vertices(RegionEvaluator(body), {3, {-1, -1, -0.3}, {1, 1, 0.3}});
+  EXPECT_TRUE(found.vertices.empty());
+  EXPECT_TRUE(found.unresolved.empty());
+}
+
 }  // namespace
