@@ -83,15 +83,6 @@ constexpr int global_points = 8;
 // fluxes near the boundary stop falling at 10⁻⁷, with five they do not.
 constexpr int corrected_points = 5;
 
-// Whether measures can be told in doubles.
-void check_size(const Box& bounds, const Problem& problem) {
-  if (std::isnormal(bounds.measure())) return;
-  refuse(fmt::format("the measure of the domain, with sides of {:.1e}, is beyond double precision: "
-                     "choose another unit of length",
-                     bounds.longest_side()),
-         domain_place(problem));
-}
-
 }  // namespace
 
 std::string bounds_note(const ScalarProblem& problem) {
@@ -119,7 +110,6 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   coarse.inside_points = 1;
   coarse.cut_points = 2;
   const DomainRule probe = make_domain_rule(region_, grid(), coarse, interfaces_.all());
-  check_size(bounds_, problem);
   if (!(probe.measure() > 0)) refuse("the domain is empty", domain_place(problem));
   for (int k = 0; k < region_.primitive_count(); ++k)
     if (!region_.region().primitives()[k]->selects_only &&
