@@ -1,0 +1,65 @@
+#include "solution_structures/set_interpolation.hpp"
+
+#include "core/derivative_fields.hpp"
+#include "core/error.hpp"
+#include "core/function_shaping.hpp"
+#include "solution_structures/condition_part.hpp"
+#include "solution_structures/normal_conditions.hpp"
+#include "solution_structures/taylor_polynomial.hpp"
+
+namespace rfm {
+namespace {
+
+void check(const SetData& set) {
+  const auto order = static_cast<int>(set.derivatives.size());
+  if (order > 0 && !set.side) throw InvalidArgument("a set without a normal has no derivatives");
+  if (order > 4) throw InvalidArgument("normal derivatives are prescribed up to the fourth");
+  if (!set.value && order != 1)
+    throw InvalidArgument("without a value a set has a first normal derivative and no other");
+  if (set.exponent != 0 && set.exponent <= order)
+    throw InvalidArgument("an exponent of " + std::to_string(set.exponent) +
+                          " loses the derivative of order " + std::to_string(order) +
+                          ": it must be larger");
+}
+
+// ω as Taylor polynomials of this order need it.
+Field levelled(const Field& side, int order, double length, int dimension) {
+  return order < 2 ? level_off(side, length) : normalize(level_off(side, length), dimension, order);
+}
+
+ConditionPart part_with_value(const SetData& set, double length, int dimension) {
+  const Field distance = level_off(set.distance, length) / length;
+  const auto order = static_cast<int>(set.derivatives.size());
+  const int exponent = set.exponent == 0 ? order + 1 : set.exponent;
+  if (order == 0) return {*set.value, distance, exponent};
+  std::vector<Field> inward{*set.value};
+  double sign = -1;
+  for (const Field& derivative : set.derivatives) {
+    inward.push_back(sign * derivative);
+    sign = -sign;
+  }
+  const Field omega = levelled(*set.side, order, length, dimension);
+  return {taylor_part(inward, omega, dimension).polynomial, distance, exponent};
+}
+
+}  // namespace
+
+Structure interpolated(const std::vector<SetData>& sets, double length, int dimension) {
+  std::vector<ConditionPart> parts;
+  for (const SetData& set : sets) {
+    check(set);
+    if (set.value) parts.push_back(part_with_value(set, length, dimension));
+  }
+  if (parts.empty()) throw InvalidArgument("no set has a value that could be interpolated");
+  const Structure values = transfinite(parts);
+  for (const SetData& set : sets) {
+    if (set.value) continue;
+    const Field omega = levelled(*set.side, 1, length, dimension);
+    const ConditionPart part = normal_derivative_part(values, omega, set.derivatives[0], dimension);
+    parts.push_back({part.polynomial, level_off(set.distance, length) / length,
+                     set.exponent == 0 ? part.exponent : set.exponent});
+  }
+  return transfinite(parts);
+}
+
+}  // namespace rfm
