@@ -28,6 +28,12 @@ Polynomial derivative(Polynomial a) {
 
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
+void check_order(int order) {
+  if (order < 0 || order > maximum_order)
+    throw InvalidArgument("derivatives have orders 0 to " + std::to_string(maximum_order) +
+                          ", got " + std::to_string(order));
+}
+
 }  // namespace
 
 std::vector<Field> hessian(const Field& f, int dimension) {
@@ -48,9 +54,7 @@ Field directional_derivative(const Field& f, const std::vector<Field>& v, int or
   const int dimension = static_cast<int>(v.size());
   if (dimension < 1 || dimension > 3)
     throw InvalidArgument("a direction has 1 to 3 components, got " + std::to_string(dimension));
-  if (order < 0 || order > maximum_order)
-    throw InvalidArgument("derivatives have orders 0 to " + std::to_string(maximum_order) +
-                          ", got " + std::to_string(order));
+  check_order(order);
   const JetShape& shape = JetShape::get(dimension, order);
   Field sum = 0.0;
   for (int i = order > 0 ? shape.size(order - 1) : 0; i < shape.size(); ++i) {
@@ -64,6 +68,7 @@ Field directional_derivative(const Field& f, const std::vector<Field>& v, int or
 }
 
 Field iterated_directional_derivative(const Field& f, const std::vector<Field>& v, int order) {
+  check_order(order);
   Field derivative = f;
   for (int k = 0; k < order; ++k) derivative = directional_derivative(derivative, v, 1);
   return derivative;

@@ -4,6 +4,7 @@
 #include "core/composition.hpp"
 #include "core/error.hpp"
 #include "core/expression_evaluator.hpp"
+#include "core/field_node.hpp"
 #include "core/field_source.hpp"
 #include "core/graph_walk.hpp"
 #include "core/multi_index.hpp"
@@ -15,9 +16,6 @@ namespace {
 using Node = Expression::Node;
 
 constexpr int deepest_calls = 200;
-
-// Structures and forms take up to four derivatives more.
-constexpr int highest_derivative = maximum_order - 4;
 
 std::string count_of_arguments(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " argument" : " arguments");
@@ -33,17 +31,22 @@ void check_count(const std::string& name, const Node& node, std::size_t least, s
                    node.length);
 }
 
+int orders_taken(const Field::Node& node) {
+  if (node.operation == Operation::partial) return 1;
+  const bool is_mapped = node.operation == Operation::source && !node.arguments.empty();
+  return is_mapped ? degree(source_derivative(node.index)) : 0;
+}
+
 // What cannot be evaluated is refused where it is written.
 void check_order(const Field& derivative, const Node& node) {
   const int order = walked<int>(
       derivative, [](const Field&) { return 0; },
       [](const Field& field, const std::vector<int>& orders) {
-        const int own = field.node().operation == Operation::partial ? 1 : 0;
-        return own + std::ranges::max(orders);
+        return orders_taken(field.node()) + std::ranges::max(orders);
       });
-  if (order > highest_derivative)
+  if (order > maximum_order)
     throw InputError("derivatives of a formula are at most of order " +
-                         std::to_string(highest_derivative) + ", this one is of order " +
+                         std::to_string(maximum_order) + ", this one is of order " +
                          std::to_string(order),
                      node.begin, node.end - node.begin);
 }
@@ -145,7 +148,9 @@ ExpressionValue ExpressionEvaluator::call_function(const ExpressionFunction& fun
                          root.end - root.begin,
                          k < without_value ? ExpressionValue(0.0) : values[k - without_value]});
   }
-  return function.call(arguments);
+  ExpressionValue value = function.call(arguments);
+  for (const Field& component : value.components) check_order(component, node);
+  return value;
 }
 
 // A mistake in the function is reported at its call.

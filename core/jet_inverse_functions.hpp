@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "core/jet_scaling.hpp"
 
@@ -172,6 +173,9 @@ Jet<T, N, K> atan2(const Jet<T, N, K>& y, const Jet<T, N, K>& x) {
     angle = select(above, select(beside, Jet<T, N, K>(), regular), regular);
   }
   angle.c[0] = atan2(y.c[0], x.c[0]);
+  if constexpr (is_plain<T>)  // infinite both, they have no direction
+    angle.c[0] = select(is_infinite(x.c[0]) && is_infinite(y.c[0]),
+                        T(std::numeric_limits<double>::quiet_NaN()), angle.c[0]);
   return angle;
 }
 

@@ -34,7 +34,8 @@ namespace rfm {
     "a > 0; a = 0 where b >= 0", "a = 0")                                                          \
   X(integer_power, "^n", 1, 1, integer_power(a, static_cast<int>(number)), pow(a, number),         \
     "a^n, n a whole number", "a != 0 where n < 0", "a = 0 where n < 0")                            \
-  X(real_power, "^r", 1, 1, real_power(a, number), pow(a, number), "a^r, r a number",              \
+  X(real_power, "^r", 1, 1, real_power(a, number),                                                 \
+    a < 0 && floor(number) < number ? NAN : pow(a, number), "a^r, r a number",                     \
     "a >= 0 unless r is whole; a != 0 where r < 0", "a = 0")                                       \
   X(sqrt, "sqrt", 1, 0, sqrt(a), sqrt(a), "square root", "a >= 0", "a = 0")                        \
   X(cbrt, "cbrt", 1, 0, cbrt(a), cbrt(a), "real cube root", "", "a = 0")                           \
@@ -48,8 +49,9 @@ namespace rfm {
     "|a| = 1")                                                                                     \
   X(acos, "acos", 1, 0, acos(a), acos(a), "inverse cosine, 0 to pi", "|a| <= 1", "|a| = 1")        \
   X(atan, "atan", 1, 0, atan(a), atan(a), "inverse tangent, -pi/2 to pi/2", "", "")                \
-  X(atan2, "atan2", 2, 0, atan2(a, b), atan2(a, b), "angle of the point (b, a), -pi to pi",        \
-    "", "b <= 0, a = 0")                                                                           \
+  X(atan2, "atan2", 2, 0, atan2(a, b),                                                             \
+    !(fabs(a) < INFINITY) && !(fabs(b) < INFINITY) ? NAN : atan2(a, b),                            \
+    "angle of the point (b, a), -pi to pi", "", "b <= 0, a = 0")                                   \
   X(sinh, "sinh", 1, 0, sinh(a), sinh(a), "hyperbolic sine", "", "")                               \
   X(cosh, "cosh", 1, 0, cosh(a), cosh(a), "hyperbolic cosine", "", "")                             \
   X(tanh, "tanh", 1, 0, tanh(a), tanh(a), "hyperbolic tangent", "", "")                            \

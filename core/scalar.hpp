@@ -42,10 +42,15 @@ inline double square(double a) { return a * a; }
 }
 [[gnu::always_inline]] inline Batch square(const Batch& a) { return a * a; }
 
-/// aᵉ as a plain number.
-inline double power(double a, double exponent) { return std::pow(a, exponent); }
+/// aᵉ as a plain number. Of −∞ that of other negative numbers: none unless e is whole.
+inline double power(double a, double exponent) {
+  return a < 0 && exponent != std::floor(exponent) ? std::numeric_limits<double>::quiet_NaN()
+                                                   : std::pow(a, exponent);
+}
 inline Batch power(const Batch& a, const Batch& exponent) {
-  return std::experimental::pow(a, exponent);
+  const BatchMask has_none = a < 0.0 && exponent != std::experimental::floor(exponent);
+  return select(has_none, Batch(std::numeric_limits<double>::quiet_NaN()),
+                Batch(std::experimental::pow(a, exponent)));
 }
 
 /// The vector sine and cosine reduce their argument modulo π/2 with a quotient of 32 bits: beyond

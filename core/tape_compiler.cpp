@@ -5,6 +5,7 @@
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
+#include "core/field_node.hpp"
 #include "core/instruction_table.hpp"
 #include "core/tape_program.hpp"
 #include "core/tape_specialization.hpp"
@@ -122,7 +123,11 @@ std::unique_ptr<const Tape::Program> finished(std::unique_ptr<Tape::Program> pro
     Instruction& root = code[program->root_instructions[i]];
     root.order = std::max(root.order, orders[i]);
   }
+  int reached = 0;  // with the derivatives of sampled fields that are taken at mapped points
   for (int i = static_cast<int>(code.size()) - 1; i >= 0; --i) {
+    const bool is_mapped = code[i].operation == Operation::source && code[i].operands[0] >= 0;
+    const int taken = is_mapped ? degree(source_derivative(code[i].index)) : 0;
+    reached = std::max(reached, code[i].order + taken);
     program->highest_order = std::max(program->highest_order, code[i].order);
     for (int operand : code[i].operands) {
       if (operand < 0) continue;
@@ -130,8 +135,8 @@ std::unique_ptr<const Tape::Program> finished(std::unique_ptr<Tape::Program> pro
       code[operand].order = std::max(code[operand].order, needed);
     }
   }
-  if (program->highest_order > maximum_order)
-    throw InvalidArgument("derivatives of order " + std::to_string(program->highest_order) +
+  if (reached > maximum_order)
+    throw InvalidArgument("derivatives of order " + std::to_string(reached) +
                           " are needed, but only orders up to " + std::to_string(maximum_order) +
                           " are available");
   return program;

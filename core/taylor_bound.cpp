@@ -19,7 +19,9 @@ TaylorBound from_range(const Interval& range, bool smooth) {
 TaylorBound closed(TaylorBound model) {
   const double extent = model.linear_extent();
   const double margin = 2e-15 * (std::fabs(model.value) + extent + model.error);
-  model.error += margin + std::numeric_limits<double>::min();  // results may have underflowed
+  model.error += margin + std::numeric_limits<double>::min();  // results may have underflowed,
+  for (const double radius : frame_radius)                     // and slopes, to be multiplied
+    model.error += 4 * std::numeric_limits<double>::denorm_min() * radius;
   const double reach = extent + model.error;
   if (!(reach < huge) || !(std::fabs(model.value) < huge))
     return from_range(model.range, model.smooth);

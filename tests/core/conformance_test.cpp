@@ -251,6 +251,7 @@ TEST_P(Conformance, InfinityHasItsLimitInEveryEvaluator) {
     for (const double infinite : {INFINITY, -INFINITY}) {
       points.push_back({infinite, other, 0.5});
       if (arity > 1) points.push_back({other, infinite, 0.5});
+      if (arity > 1) points.push_back({infinite, std::copysign(INFINITY, other), 0.5});
     }
   for (const Evaluator& evaluator : all_evaluators())
     for (int order = 0; order <= 2; ++order) {
@@ -260,8 +261,10 @@ TEST_P(Conformance, InfinityHasItsLimitInEveryEvaluator) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& [a, b, c] = points[i];
         const auto exact = static_cast<double>(definition(row, a, b, c));
-        // No number is safe, it is reported; the definition may have no limit: ∞ − ∞.
-        if (std::isnan(jets[i][0]) || std::isnan(exact)) continue;
+        // No number is safe, it is reported. R-functions have a limit where the difference that
+        // defines them has none, ∞ − ∞.
+        const bool is_difference = row.identifier.find("junction") != std::string::npos;
+        if (std::isnan(jets[i][0]) || (is_difference && std::isnan(exact))) continue;
         EXPECT_TRUE(jets[i][0] == exact ||
                     std::fabs(jets[i][0] - exact) <= 1e-15 * std::fabs(exact))
             << row.identifier << " by " << evaluator.name << " at " << text_of(points[i]) << ": "

@@ -58,6 +58,8 @@ TEST(DerivativeFields, WrongOrdersAndDirectionsAreRefused) {
   EXPECT_THROW(directional_derivative(x, {}, 1), InvalidArgument);
   EXPECT_THROW(directional_derivative(x, {1.0}, -1), InvalidArgument);
   EXPECT_THROW(directional_derivative(x, {1.0}, 17), InvalidArgument);
+  EXPECT_THROW(iterated_directional_derivative(x, {1.0}, -1), InvalidArgument);
+  EXPECT_THROW(iterated_directional_derivative(x, {1.0}, 17), InvalidArgument);
   EXPECT_THROW(normalize(x, 2, 0), InvalidArgument);
   EXPECT_THROW(normalize(x, 2, 5), InvalidArgument);
 }

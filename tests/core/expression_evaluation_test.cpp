@@ -57,9 +57,15 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"dz(x)", "0+2: unknown function 'dz' (did you mean 'dx'?)"},
                     std::pair{"1 + dxxxxxxxxx(x)",
                               "4+10: derivatives have at most 8 letters: nest two of them"},
-                    std::pair{"1 + dxxxxxxxx(2*dxxxxx(sin(x)))",
-                              "4+27: derivatives of a formula are at most of order 12, this one is "
-                              "of order 13"},
+                    std::pair{"1 + dxxxxxxxx(2*dxxxxxxxx(dx(sin(x))))",
+                              "4+34: derivatives of a formula are at most of order 16, this one is "
+                              "of order 17"},
+                    std::pair{"1 + laplacian(dxxxxxxxx(2*dxxxxxxx(sin(x))))",
+                              "4+40: derivatives of a formula are at most of order 16, this one is "
+                              "of order 17"},
+                    std::pair{"d(dxxxxxxxx(2*dxxxxxxxx(sin(x))), x)",
+                              "0+36: derivatives of a formula are at most of order 16, this one is "
+                              "of order 17"},
                     std::pair{"d(x, a)",
                               "5+1: the second argument of d must be a parameter or a coordinate"},
                     std::pair{"d(x, x + y)",

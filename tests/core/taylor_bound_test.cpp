@@ -81,6 +81,31 @@ TEST(TaylorBound, TouchingASingularityIsNotSmooth) {
   EXPECT_FALSE(sin(sqrt(square(x))).smooth);  // and what is made of it is not, either
 }
 
+TEST(TaylorBound, SlopesThatUnderflowAreNotLostOverLargeBoxes) {
+  // The slope of x is 1e-350 in the first two; that of x^-3 is 3e-348.
+  const Field x = x_coordinate(), y = y_coordinate();
+  const auto expect = [](const Field& f, const Box& box) {
+    const Tape tape({f}, {1}, 2);
+    const FunctionBounds bounds = tape.bounds(box);
+    for (const double u : {0.0, 0.3, 1.0})
+      for (const double v : {0.0, 0.6, 1.0}) {
+        const Point at{std::lerp(box.low[0], box.high[0], u),
+                       std::lerp(box.low[1], box.high[1], v)};
+        Point gradient;
+        const double value = tape.value_and_gradient(at, gradient);
+        EXPECT_LE(bounds.value.low, value);
+        EXPECT_GE(bounds.value.high, value);
+        for (int axis = 0; axis < 2; ++axis) {
+          EXPECT_LE(bounds.gradient[axis].low, gradient[axis]);
+          EXPECT_GE(bounds.gradient[axis].high, gradient[axis]);
+        }
+      }
+  };
+  expect(1e200 * (y * (1e-150 * x)), {2, {-1e150, 1e-200}, {1e150, 2e-200}});
+  expect(y * (1e-20 * x), {2, {-1e20, 1e-300}, {1e20, 2e-300}});
+  expect(min(1e250 * pow(x, -3), 9), {2, {8.7e86, 0}, {1.3e87, 1}});
+}
+
 TEST(TaylorBound, FramesNest) {
   const TaylorBound::Frame outer({1, 0, 0});
   TaylorBound x = TaylorBound::coordinate({-1, 1}, 0);
