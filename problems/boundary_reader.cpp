@@ -157,6 +157,8 @@ void BoundaryReader::read_conditions() {
   problem_.conditions_place = conditions->place;
   for (const DocumentNode::Entry& entry : root_.entries)
     if (&entry.value == conditions) problem_.conditions_place = entry.key_place;
+  // Its names count as used, and its mistakes are reported with those of other keys.
+  if (const DocumentNode* remainder = values_.find(root_, "remainder")) values_.field(*remainder);
   std::vector<std::string> sets;
   for (const auto& [name, set] : problem_.sets) sets.push_back(name);
   for (const DocumentNode& item : conditions->items) {
@@ -235,6 +237,15 @@ void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& 
   } else if (const DocumentNode* robin = values_.find(node, "robin")) {
     condition.kind = Condition::Kind::robin;
     for (const char* key : {"a", "b", "c"}) add(*robin, key);
+  } else if (const DocumentNode* slope = values_.find(node, "normal_derivative")) {
+    condition.kind = Condition::Kind::robin;
+    DocumentNode number = *slope;
+    for (const auto& [key, text] : {std::pair{"a", "0"}, std::pair{"b", "1"}}) {
+      number.text = text;
+      condition.data.emplace(key, DeferredExpression(number));
+    }
+    if (auto expression = values_.deferred(*slope, scope))
+      condition.data.emplace("c", std::move(*expression));
   }
 }
 

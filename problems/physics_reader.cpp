@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "problems/custom_physics.hpp"
+#include "problems/interpolation.hpp"
 #include "problems/solution_symbols.hpp"
 
 namespace rfm {
@@ -16,9 +17,13 @@ constexpr auto coefficient_keys =
 
 class PhysicsReader {
  public:
-  PhysicsReader(ValueReader& values, ShapeReader& shapes, Physics& physics)
-      : values_(values), shapes_(shapes), physics_(physics), scope_(values.scope) {
-    define_symbols(scope_, physics.unknowns, values.dimension);
+  PhysicsReader(ValueReader& values, ShapeReader& shapes, Problem& problem)
+      : values_(values),
+        shapes_(shapes),
+        problem_(problem),
+        physics_(problem.physics),
+        scope_(values.scope) {
+    define_symbols(scope_, physics_.unknowns, values.dimension);
   }
 
   void read(const DocumentNode& map) {
@@ -63,9 +68,26 @@ class PhysicsReader {
   }
 
   std::optional<Field> field(const DocumentNode& node) {
+    if (const DocumentNode* list = node.is_map() ? values_.find(node, "interpolate") : nullptr)
+      return interpolated(*list);
     if (node.is_map()) return values_.field(node);  // the result of another problem
     if (!values_.fits(node) || !node.is_scalar()) return std::nullopt;
     return values_.guarded<Field>(node, [&] { return to_field(Expression(node.text), scope_); });
+  }
+
+  std::optional<Field> interpolated(const DocumentNode& list) {
+    for (const DocumentNode& item : list.items) {
+      if (!values_.fits(item) || !check_interpolation_entry(item, values_)) return std::nullopt;
+      if (const DocumentNode* at = values_.find(item, "at")) mark_shapes(*at);
+    }
+    return interpolated_coefficient(
+        list, {problem_.sets, problem_.shapes, problem_.domain, problem_.dimension},
+        problem_.bounds, values_.scope, values_);
+  }
+
+  void mark_shapes(const DocumentNode& at) {
+    if (problem_.shapes.contains(at.text)) shapes_.mark_used(at.text);
+    for (const DocumentNode& name : at.items) mark_shapes(name);
   }
 
   void read_advection(const DocumentNode& node) {
@@ -176,6 +198,7 @@ class PhysicsReader {
 
   ValueReader& values_;
   ShapeReader& shapes_;
+  const Problem& problem_;
   Physics& physics_;
   ExpressionScope scope_;  // with the solution as a symbol
 };
@@ -185,7 +208,7 @@ class PhysicsReader {
 void read_physics(const DocumentNode& root, ValueReader& values, ShapeReader& shapes,
                   Problem& problem) {
   if (const DocumentNode* map = values.find(root, "physics"))
-    PhysicsReader(values, shapes, problem.physics).read(*map);
+    PhysicsReader(values, shapes, problem).read(*map);
 }
 
 }  // namespace rfm

@@ -9,6 +9,7 @@
 #include "problems/function_support.hpp"
 #include "problems/inner_structure.hpp"
 #include "problems/regular_data.hpp"
+#include "problems/remainder_option.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/structure_check.hpp"
 #include "problems/structure_language.hpp"
@@ -67,6 +68,7 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
     plan_own_structures(own, probe);
   } else {
     const std::optional<BooleanExpression> form = regular_form(region_, bounds_);
+    const std::optional<RemainderOption> remainder = remainder_option(problem_);
     int functions = unknown_count();
     for (int component = 0; component < unknown_count(); ++component) {
       DirichletPlan& plan = plans_.emplace_back(automatic_plan(component, probe, form));
@@ -76,9 +78,12 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
                              "are all clamped or held",
                              piece.name),
                  problem_.conditions[piece.condition].place);
+      if (remainder) plan.weight = {remainder->factor, "remainder"};
       structures_.push_back(
           with_inner_conditions(plan, component, inner_, probe, bounds_, functions));
     }
+    if (remainder)
+      check_remainder(*remainder, problem_, plans_, structures_, coefficients_, probe, region_);
     add_singular_functions(probe, functions);
   }
   require_natural(probe);

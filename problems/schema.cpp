@@ -88,24 +88,49 @@ SchemaKey* find_key(SchemaKey& parent, std::string_view name) {
   return &*std::ranges::find(parent.keys, name, &SchemaKey::name);
 }
 
-// Coefficients may be given per material, and may come from another problem.
+SchemaKey child_of(const SchemaKey& parent, const std::string& name, unsigned types,
+                   const Presence& presence, const std::string& doc) {
+  SchemaKey key;
+  key.name = name;
+  key.path = parent.path + (name == "[]" ? "" : ".") + name;
+  key.types = types;
+  key.presence = presence;
+  key.doc = doc;
+  return key;
+}
+
+// {interpolate: [{at: .., value: ..}, ..]}: a coefficient graded between sets.
+SchemaKey interpolation_of(const SchemaKey& coefficient) {
+  SchemaKey list = child_of(coefficient, "interpolate", list_value, alternative,
+                            "Values on sets, shapes and sides, joined by transfinite "
+                            "interpolation: a graded material.");
+  SchemaKey item = child_of(list, "[]", map_value, required, "Data on one or several of them.");
+  SchemaKey at = child_of(item, "at", name_value | list_value, required,
+                          "A set, a side, a shape that bounds the domain, or one inside it, whose "
+                          "points all are meant.");
+  at.items = {child_of(at, "[]", name_value, required, "A set, side or shape.")};
+  SchemaKey exponent = child_of(item, "exponent", integer_value, optional,
+                                "How flat the coefficient is next to it.");
+  exponent.range = between(1, 16);
+  item.keys = {std::move(at), child_of(item, "value", expression_value, required, "The value."),
+               child_of(item, "normal_derivative", expression_value, optional,
+                        "Its derivative along the outward normal."),
+               std::move(exponent)};
+  list.items = {std::move(item)};
+  return list;
+}
+
+// Coefficients may be given per material, may come from another problem, and be graded.
 void extend_coefficients(SchemaKey& physics) {
   SchemaKey& material = find_key(physics, "materials")->items[0];
   for (SchemaKey& key : physics.keys) {
     if (!key.takes(expression_value)) continue;
-    SchemaKey file;
-    file.name = "from";
-    file.path = key.path + ".from";
-    file.types = file_value;
-    file.presence = required;
-    file.doc = "Another problem file, which is solved first.";
-    SchemaKey field = file;
-    field.name = "field";
-    field.path = key.path + ".field";
-    field.types = name_value;
-    field.doc = "The result of that problem.";
     key.types |= map_value;
-    key.keys = {std::move(file), std::move(field)};
+    key.keys = {child_of(key, "from", file_value, alternative,
+                         "Another problem file, which is solved first."),
+                child_of(key, "field", name_value, required, "The result of that problem."),
+                interpolation_of(key)};
+    key.keys[1].when = {"from"};
     SchemaKey in_material = key;
     in_material.path.replace(0, physics.path.size(), material.path);
     in_material.presence = optional;

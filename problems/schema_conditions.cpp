@@ -81,7 +81,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"conditions[].outflow", boolean_value, alternative, "A fluid that leaves freely.", later},
     {"conditions[].outgoing", boolean_value, alternative, "Waves leave and none enter.", later},
     {"conditions[].normal_derivative", expression_value, alternative,
-     "The outward normal derivative.", later},
+     "du/dn = normal_derivative, n the outward normal, whatever the conductivity."},
     {"conditions[].second_normal_derivative", expression_value, alternative,
      "The second outward normal derivative.", later},
     {"conditions[].tangential", expression_value, alternative, "The derivative along the boundary.",
@@ -170,8 +170,9 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"windows[]", map_value, required, "One window."},
     {"windows[].in", name_value, required, "A shape."},
     {"windows[].basis", map_value, required, "A basis, as under discretization."},
-    {"remainder", expression_value, optional, "The factor of the remainder of the structure.",
-     later},
+    {"remainder", expression_value, optional,
+     "What multiplies the undetermined function, in the place of omega: zero where values are "
+     "prescribed, with behaviour that is known beforehand."},
 });
 
 }  // namespace

@@ -16,7 +16,7 @@ struct SetData {
   std::optional<Field> value;
   /// ∂ᵏu/∂nᵏ, k = 1, 2, …, at most 4, along the straight normal n = −∇ω/|∇ω|.
   std::vector<Field> derivatives = {};
-  /// ω: zero on the set and regular there, of either sign. Needed for derivatives alone.
+  /// ω: zero on the set, of either sign, normalised. Needed for derivatives alone.
   std::optional<Field> side = {};
   /// μ; 0 for one more than the order of the highest derivative.
   int exponent = 0;

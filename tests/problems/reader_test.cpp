@@ -309,8 +309,7 @@ TEST(ReadProblem, WhatIsNotSupportedYetIsNeverIgnored) {
        {"units={length: mm}", "sweep={r: [1, 2]}", "points=[{at: [0, 0], value: 1}]",
         "discretization.refine=[{where: x}]", "discretization.accuracy={target: 1e-3}",
         "study={type: transient, to: 1, step: 0.1}", "cracks=[{on: p, tip: [0, 0]}]",
-        "remainder=psi", "include=[a.yaml]",
-        "probes={p: {point: [0, 0], value: u, at_times: [1]}}"}) {
+        "include=[a.yaml]", "probes={p: {point: [0, 0], value: u, at_times: [1]}}"}) {
     const std::vector<std::string> found = messages(disk, {override_text});
     EXPECT_THAT(found, testing::Each(testing::HasSubstr("is not supported yet"))) << override_text;
     EXPECT_FALSE(found.empty()) << override_text;
