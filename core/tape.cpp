@@ -45,14 +45,16 @@ void check_box(const Box& box) {
 
 template <int N, int K>
 Kernel find_kernel_at(Operation operation) {
-  static_assert(kernel_parts == 3);
+  static_assert(kernel_parts == 4);
   switch (static_cast<int>(operation) % kernel_parts) {
     case 0:
       return find_compiled_kernel<N, K, 0>(operation);
     case 1:
       return find_compiled_kernel<N, K, 1>(operation);
-    default:
+    case 2:
       return find_compiled_kernel<N, K, 2>(operation);
+    default:
+      return find_compiled_kernel<N, K, 3>(operation);
   }
 }
 

@@ -5,8 +5,10 @@ namespace rfm {
 template Kernel find_compiled_kernel<2, 0, 0>(Operation);
 template Kernel find_compiled_kernel<2, 0, 1>(Operation);
 template Kernel find_compiled_kernel<2, 0, 2>(Operation);
+template Kernel find_compiled_kernel<2, 0, 3>(Operation);
 template Kernel find_compiled_kernel<2, 1, 0>(Operation);
 template Kernel find_compiled_kernel<2, 1, 1>(Operation);
 template Kernel find_compiled_kernel<2, 1, 2>(Operation);
+template Kernel find_compiled_kernel<2, 1, 3>(Operation);
 
 }  // namespace rfm

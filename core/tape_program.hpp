@@ -60,7 +60,7 @@ constexpr int highest_compiled_order(int variables) {
 }
 
 /// The kernels of one shape are compiled in so many parts, by the number of the operation.
-inline constexpr int kernel_parts = 3;
+inline constexpr int kernel_parts = 4;
 /// The kernel in N variables at order K of an operation of this part; null for others and for
 /// leaves. Instantiated in units of their own (core/tape_kernels_*.cpp), each of which compiles in
 /// less than 20 s.

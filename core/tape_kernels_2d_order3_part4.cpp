@@ -1,0 +1,7 @@
+#include "core/tape_kernels.hpp"
+
+namespace rfm {
+
+template Kernel find_compiled_kernel<2, 3, 3>(Operation);
+
+}  // namespace rfm
