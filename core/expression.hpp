@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "core/multi_index.hpp"
 #include "core/parameters.hpp"
 
 namespace rfm {
@@ -124,6 +125,9 @@ class ExpressionScope {
                        Expression formula);
   /// Makes dx(f), dxy(f), dt(f), … functions, in so many coordinates of space and the time.
   void define_partials(int dimension) { partials_ = dimension; }
+  /// Derivatives of higher orders, those within derivatives counted, are refused where they are
+  /// written. For formulas of which others take further derivatives: jets end at `maximum_order`.
+  void limit_derivatives(int order) { highest_derivative_ = order; }
   /// A name that is known but cannot be used here, and why: "is known on boundaries only".
   void refuse(const std::string& name, std::string reason);
 
@@ -157,6 +161,7 @@ class ExpressionScope {
   Parameters parameters_;
   bool keeps_parameters_ = false;
   int partials_ = 0;
+  int highest_derivative_ = maximum_order;
 };
 
 /// `x`, `y`, `z` as far as `dimension` goes, and `t`.

@@ -7,7 +7,6 @@
 #include "core/field_node.hpp"
 #include "core/field_source.hpp"
 #include "core/graph_walk.hpp"
-#include "core/multi_index.hpp"
 #include "core/nearest_name.hpp"
 
 namespace rfm {
@@ -38,16 +37,15 @@ int orders_taken(const Field::Node& node) {
 }
 
 // What cannot be evaluated is refused where it is written.
-void check_order(const Field& derivative, const Node& node) {
+void check_order(const Field& derivative, const Node& node, int highest) {
   const int order = walked<int>(
       derivative, [](const Field&) { return 0; },
       [](const Field& field, const std::vector<int>& orders) {
         return orders_taken(field.node()) + std::ranges::max(orders);
       });
-  if (order > maximum_order)
-    throw InputError("derivatives of a formula are at most of order " +
-                         std::to_string(maximum_order) + ", this one is of order " +
-                         std::to_string(order),
+  if (order > highest)
+    throw InputError("derivatives of a formula are at most of order " + std::to_string(highest) +
+                         ", this one is of order " + std::to_string(order),
                      node.begin, node.end - node.begin);
 }
 
@@ -149,7 +147,8 @@ ExpressionValue ExpressionEvaluator::call_function(const ExpressionFunction& fun
                          k < without_value ? ExpressionValue(0.0) : values[k - without_value]});
   }
   ExpressionValue value = function.call(arguments);
-  for (const Field& component : value.components) check_order(component, node);
+  for (const Field& component : value.components)
+    check_order(component, node, scope_.highest_derivative_);
   return value;
 }
 
@@ -190,7 +189,7 @@ ExpressionValue ExpressionEvaluator::call_partial(const Expression& expression, 
                      argument.begin, argument.end - argument.begin);
   Field derivative = value.components[0];
   for (const int axis : derivative_axes(name)) derivative = partial(derivative, axis);
-  check_order(derivative, node);
+  check_order(derivative, node, scope_.highest_derivative_);
   return derivative;
 }
 
@@ -229,7 +228,7 @@ ExpressionValue ExpressionEvaluator::call_at_point(const Expression& expression,
   check_count(name, node, dimension, dimension);
   const std::vector<Field> place = scalars(expression, i, take_arguments(stack, dimension));
   for (const int axis : along) function = partial(function, axis);
-  check_order(function, node);
+  check_order(function, node, scope_.highest_derivative_);
   return compose(function, place);
 }
 

@@ -25,6 +25,8 @@ void define_common_names(ValueReader& values, const std::string& folder) {
   const int dimension = values.dimension;
   values.scope = coordinate_scope(dimension);
   define_derivatives(values.scope, dimension);
+  constexpr int of_structures_and_forms = 4;  // what these take besides
+  values.scope.limit_derivatives(maximum_order - of_structures_and_forms);
   define_r_functions(values.scope);
   const ExpressionFunction table = table_function(folder);
   values.scope.define_function("table", table);
