@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "core/error.hpp"
@@ -53,22 +54,10 @@ void require_same_dimension(const Region& a, const Region& b) {
     throw InvalidArgument("regions of different dimension have no relation");
 }
 
-}  // namespace
-
-Truth membership(const RegionEvaluator& region, const Point& point, double tolerance) {
-  std::vector<Truth> signs;
-  for (int k = 0; k < region.primitive_count(); ++k) {
-    Point gradient;
-    const double value = region.level(k).value_and_gradient(point, gradient);
-    const double margin = tolerance * std::hypot(gradient[0], gradient[1], gradient[2]);
-    // Undefined is outside, as for `RegionEvaluator::contains`.
-    signs.push_back(value > margin ? Truth::yes : value >= -margin ? Truth::unknown : Truth::no);
-  }
-  return region.region().expression().evaluate(signs);
-}
-
-Relation has_points(const RegionEvaluator& region, const Box& bounds,
-                    const RelationOptions& options) {
+// A point of the region in a box that `is_empty` does not exclude.
+template <class IsEmpty>
+Relation search(const RegionEvaluator& region, const Box& bounds, const RelationOptions& options,
+                const IsEmpty& is_empty) {
   const double smallest = std::max(options.resolution * bounds.longest_side(), least_side(bounds));
   Relation relation;
   // Breadth first: a witness is found in the largest box that shows one.
@@ -77,7 +66,7 @@ Relation has_points(const RegionEvaluator& region, const Box& bounds,
   for (; !boxes.empty(); boxes.pop()) {
     const std::optional<Box> box = contracted(region, boxes.front());
     ++relation.boxes;
-    if (!box) continue;
+    if (!box || is_empty(*box)) continue;
     if (const std::optional<Point> point = point_near(region, *box)) {
       relation.answer = Truth::yes;
       relation.witness = point;
@@ -95,6 +84,74 @@ Relation has_points(const RegionEvaluator& region, const Box& bounds,
   return relation;
 }
 
+// Whether signs alone prove an inclusion: where both regions have boundary in common, no box is
+// small enough for bounds to separate them.
+class Inclusion {
+ public:
+  Inclusion(const Region& inner, const Region& outer, const RegionEvaluator& difference)
+      : difference_(difference), inner_(inner.expression()), outer_(outer.expression()) {
+    const auto& primitives = difference.region().primitives();
+    std::vector<int> number;
+    for (const auto& primitive : outer.primitives())
+      number.push_back(
+          static_cast<int>(std::ranges::find(primitives, primitive) - primitives.begin()));
+    outer_ = outer_.renamed(number);
+    shared_.resize(primitives.size());
+    for (const int k : number) shared_[k] = k < static_cast<int>(inner.primitives().size());
+  }
+
+  // No signs (0 among them) of the primitives that are undecided over the box are those of a point
+  // inside the one and outside the other. Both are closed: !p holds where p is 0.
+  bool holds(const Box& box) const {
+    constexpr std::size_t most = 6;  // 729 combinations
+    std::vector<Truth> signs;
+    std::vector<int> open;
+    bool any_shared = false;
+    for (int k = 0; k < difference_.primitive_count(); ++k) {
+      const Interval range = difference_.level(k).value_bounds(box);
+      signs.push_back(range.low > 0 ? Truth::yes : range.high < 0 ? Truth::no : Truth::unknown);
+      if (signs.back() != Truth::unknown) continue;
+      open.push_back(k);
+      any_shared = any_shared || shared_[k];
+    }
+    return any_shared && open.size() <= most && holds(signs, open);
+  }
+
+ private:
+  bool holds(std::vector<Truth>& signs, std::span<const int> open) const {
+    if (open.empty())
+      return inner_.evaluate(signs) == Truth::no || outer_.evaluate(signs) != Truth::no;
+    for (const Truth sign : {Truth::yes, Truth::unknown, Truth::no}) {
+      signs[open.front()] = sign;
+      if (!holds(signs, open.subspan(1))) return false;
+    }
+    return true;
+  }
+
+  const RegionEvaluator& difference_;
+  BooleanExpression inner_, outer_;  // in the primitives of the difference
+  std::vector<bool> shared_;         // by both
+};
+
+}  // namespace
+
+Truth membership(const RegionEvaluator& region, const Point& point, double tolerance) {
+  std::vector<Truth> signs;
+  for (int k = 0; k < region.primitive_count(); ++k) {
+    Point gradient;
+    const double value = region.level(k).value_and_gradient(point, gradient);
+    const double margin = tolerance * std::hypot(gradient[0], gradient[1], gradient[2]);
+    // Undefined is outside, as for `RegionEvaluator::contains`.
+    signs.push_back(value > margin ? Truth::yes : value >= -margin ? Truth::unknown : Truth::no);
+  }
+  return region.region().expression().evaluate(signs);
+}
+
+Relation has_points(const RegionEvaluator& region, const Box& bounds,
+                    const RelationOptions& options) {
+  return search(region, bounds, options, [](const Box&) { return false; });
+}
+
 Relation intersects(const Region& a, const Region& b, const Box& bounds,
                     const RelationOptions& options) {
   require_same_dimension(a, b);
@@ -104,7 +161,10 @@ Relation intersects(const Region& a, const Region& b, const Box& bounds,
 Relation lies_in(const Region& inner, const Region& outer, const Box& bounds,
                  const RelationOptions& options) {
   require_same_dimension(inner, outer);
-  Relation relation = has_points(RegionEvaluator(inner - outer), bounds, options);
+  const RegionEvaluator difference(inner - outer);
+  const Inclusion inclusion(inner, outer, difference);
+  Relation relation =
+      search(difference, bounds, options, [&](const Box& box) { return inclusion.holds(box); });
   if (relation.answer == Truth::unknown) return relation;
   relation.answer = relation.answer == Truth::yes ? Truth::no : Truth::yes;
   return relation;

@@ -87,6 +87,30 @@ TEST(Relations, InclusionHasProofOrAWitness) {
   EXPECT_EQ(lies_in(plate, plate - hole, around(3, 2)).answer, Truth::no);
 }
 
+TEST(Relations, InclusionIsProvedWhereBoundariesAreTheSame) {
+  const Region disk = circle({0, 0}, 1), half = half_plane({0, 0}, {1, 0}),
+               plate = box({0, 0}, {1, 1});
+  const Box bounds = around(1.5, 2);
+  EXPECT_EQ(lies_in(disk, disk, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(plate, plate, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(disk & half, disk, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(disk & half, half, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(disk - half, disk - half, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(disk, disk | plate, bounds).answer, Truth::yes);
+  // Two circles that happen to be equal are not known to be so.
+  RelationOptions coarse;
+  coarse.resolution = 1e-3;
+  EXPECT_EQ(lies_in(disk, circle({0, 0}, 1), bounds, coarse).answer, Truth::unknown);
+  const Region ball = sphere({0, 0, 0}, 1);
+  EXPECT_EQ(lies_in(ball, ball | box({0, 0, 0}, {1, 1, 1}, 3), around(1.5, 3)).answer, Truth::yes);
+  // Not the other way round, and not where the same line bounds from the other side.
+  EXPECT_EQ(lies_in(disk, disk & half, bounds).answer, Truth::no);
+  EXPECT_EQ(lies_in(disk & half, disk - half, bounds).answer, Truth::no);
+  // The disk and its complement share the circle, which the half plane does not hold.
+  EXPECT_NE(lies_in(disk & !disk, half, bounds).answer, Truth::yes);
+  EXPECT_EQ(lies_in(disk & !disk, disk, bounds).answer, Truth::yes);
+}
+
 TEST(Relations, MembershipMeasuresDistancesWhateverTheSlope) {
   // The level function 1 − x²/4 − y² has slope 2 at (0, 1).
   const RegionEvaluator region(ellipse({0, 0}, {2, 1}));
