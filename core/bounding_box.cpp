@@ -10,7 +10,9 @@
 
 #include "core/error.hpp"
 #include "core/intersection.hpp"
+#include "core/primitives.hpp"
 #include "core/reach.hpp"
+#include "core/relations.hpp"
 
 namespace rfm {
 namespace {
@@ -194,6 +196,33 @@ double polished(const RegionEvaluator& region, const Box& extreme, int axis, dou
   return best.value_or(side);
 }
 
+// How far the region stays behind `side` near the extreme box, at most: its distance from what lies
+// a length beyond, whose local search finds the place that bisection did not come down to. (Of
+// points that touch the direction between them would be lost.)
+double shortfall(const RegionEvaluator& region, const Box& extreme, int axis, bool upper,
+                 double side) {
+  const double length = 2 * extreme.longest_side();
+  Box near = extreme, beyond = extreme;
+  for (int other = 0; other < extreme.dimension; ++other) {
+    near.low[other] -= length;
+    near.high[other] += length;
+  }
+  beyond.low[axis] = beyond.high[axis] = side + (upper ? length : -length);
+  const Point start = beyond.center();
+  (upper ? beyond.high : beyond.low)[axis] += upper ? length : -length;
+  Point outwards{};
+  outwards[axis] = upper ? 1 : -1;
+  const RegionEvaluator outside(extreme.dimension == 3 ? half_space(start, outwards)
+                                                       : half_plane(start, outwards));
+  constexpr int few = 100;
+  try {
+    return distance_between(region, near, outside, beyond, 1e-13 * length, few).distance.high -
+           length;
+  } catch (const InvalidArgument&) {
+    return infinite;
+  }
+}
+
 std::string direction_name(int axis, bool upper) {
   return std::string(upper ? "+" : "-") + "xyz"[axis];
 }
@@ -224,7 +253,8 @@ BoundingBox bounding_box_and_excess(const RegionEvaluator& region) {
           side = upper ? std::min(side, known->high[axis]) : std::max(side, known->low[axis]);
         if (trim == Trim::by_reach && !found->converged)
           result.excess = std::max(
-              result.excess, std::min((upper ? side : -side) - found->found, box.length(axis)));
+              result.excess, std::min({(upper ? side : -side) - found->found, box.length(axis),
+                                       shortfall(region, found->extreme, axis, upper, side)}));
         (upper ? next.high : next.low)[axis] = side;
       }
     }
