@@ -242,7 +242,8 @@ std::string describe(const Irregularity& irregularity, const RegionEvaluator& re
   const std::string vanish = irregularity.primitives.size() == 1 ? " vanishes" : " vanish together";
   if (irregularity.kind == Irregularity::Kind::dangling)
     return "the domain has a dangling piece " + where + ", where " + names + vanish +
-           ": it has no interior, and neither integrals nor conditions see it";
+           ": it has no interior, or is thinner than 1e-9 of the domain; integrals and "
+           "conditions may not see it";
   const std::string zero =
       "the function of the domain is zero inside it " + where + ", where " + names + vanish;
   if (!in_weight) return zero + ": omega(domain) is, the weight of the structure is not";

@@ -34,16 +34,20 @@ double part_of_a_touch(int dimension, int degree) {
 }  // namespace
 
 std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree) {
-  const double smallest_part = part_of_a_touch(rule.dimension(), degree);
   std::vector<std::uint8_t> cells(rule.grid().cell_count());
   for (const int cell : rule.inside_cells()) cells[cell] = 1;
-  for (std::size_t i = 0; i < rule.cut_cells().size(); ++i) {
+  std::vector<double> parts(rule.cut_cells().size());
+  double largest_part = rule.inside_cells().empty() ? 0 : 1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     const PointRange range = rule.cut_range(static_cast<int>(i));
     const auto first = rule.cut_points().weights.begin();
-    const double part = std::accumulate(first + range.begin, first + range.end, 0.0) /
-                        rule.grid().cell_measure(rule.cut_cells()[i]);
-    cells[rule.cut_cells()[i]] = part > smallest_part;
+    parts[i] = std::accumulate(first + range.begin, first + range.end, 0.0) /
+               rule.grid().cell_measure(rule.cut_cells()[i]);
+    largest_part = std::max(largest_part, parts[i]);
   }
+  const double smallest_part = part_of_a_touch(rule.dimension(), degree) * largest_part;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    cells[rule.cut_cells()[i]] = parts[i] > smallest_part;
   return cells;
 }
 

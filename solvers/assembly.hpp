@@ -18,7 +18,8 @@ namespace rfm {
 /// of √ε, and make the system singular to working precision (for degree 3 in space from ε = 10⁻⁴ of
 /// a cell on). Such cells are left out, and with them their splines, as soon as this costs nothing:
 /// the energy of a spline on a part f of a cell is f^(1 + 4 (degree − 1) / (d + 1)) of its whole,
-/// and below 10⁻²⁴ (in space 10⁻¹⁷) it goes. Slivers along flat sides lose less still.
+/// and below 10⁻²⁴ (in space 10⁻¹⁷) of the largest it goes. Slivers along flat sides lose less
+/// still. In a region that is thinner than every cell all parts are small, and none goes.
 std::vector<std::uint8_t> cells_in_region(const DomainRule& rule, int degree = 1);
 
 /// The quadratic energy Σ ∫ (½ dᵀ C d − bᵀ d) as a function of the coefficients of the undetermined
