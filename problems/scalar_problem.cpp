@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "problems/defined_regions.hpp"
 #include "problems/holes.hpp"
 #include "problems/partial_coverage.hpp"
 #include "problems/problem_forms.hpp"
@@ -116,6 +117,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
         probe.boundary_measure(k) > 1e-12 * probe.boundary_measure())
       bounding_primitives_.push_back(k);
   if (problem.physics.type == PhysicsType::torsion) check_torsion(probe);
+  check_regions_are_defined(problem, region_, probe);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_, probe);
   check_within_grid(probe);
   check_parts(problem, region_, bounding_primitives_, probe);
