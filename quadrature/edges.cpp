@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/point_algebra.hpp"
+#include "core/quadric_pencil.hpp"
 #include "quadrature/candidate_boxes.hpp"
 #include "quadrature/compensated_sum.hpp"
 #include "quadrature/gauss_legendre.hpp"
@@ -57,7 +58,9 @@ class EdgeTracer {
     // Sixteen times finer along each axis.
     constexpr int contact_depth = 12;
     const FunctionBounds a = functions_[0]->bounds(box), b = functions_[1]->bounds(box);
-    if (a.value.excludes_zero() || b.value.excludes_zero()) return;
+    if (a.value.excludes_zero() || b.value.excludes_zero() ||
+        are_apart(functions_[0]->quadric(), functions_[1]->quadric(), box))
+      return;
     axis_ = graph_axis(a, b);
     if (axis_ >= 0) return trace_graph(box);
     if (depth < contact_depth) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quadric_pencil.hpp"
+
 namespace rfm {
 
 void Reduction2D::build(const Plane& plane, const ActiveSet& active,
@@ -29,7 +31,10 @@ void Reduction2D::build(const Plane& plane, const ActiveSet& active,
     for (int j = i + 1; j < active.count; ++j) {
       const Meeting meeting = proofs.crossings[i][j];
       if (meeting == Meeting::never || is_vertical(i) || is_vertical(j)) continue;
-      if (meeting == Meeting::unknown && proven_apart(plane_, graph(i), graph(j))) continue;
+      if (meeting == Meeting::unknown &&
+          (proven_apart(plane_, graph(i), graph(j)) ||
+           are_apart(active.surfaces[i]->quadric(), active.surfaces[j]->quadric(), plane.box)))
+        continue;
       add_crossings(i, j, meeting == Meeting::at_most_once);
     }
   find_walls(

@@ -104,6 +104,7 @@ class Reduction3D {
   void add_meetings(std::size_t first, std::size_t second);
   void add_found_meetings();
   void add_contact(double low, double high);
+  bool are_apart(const Curve& a, const Curve& b) const;
   bool may_meet(const Curve& a, const Curve& b) const;
 
   /// Where a curve is in a section: its inner coordinate, or the end of the section nearest to it.

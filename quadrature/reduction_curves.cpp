@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quadric_pencil.hpp"
 #include "quadrature/reduction_3d.hpp"
 
 namespace rfm {
@@ -109,7 +110,10 @@ void Reduction3D::narrow_graphs() {
 void Reduction3D::add_crossing_curves() {
   for (int i = 0; i < active_->count; ++i)
     for (int j = i + 1; j < active_->count; ++j) {
-      if (is_vertical(i) || is_vertical(j) || proven_apart(i, j) || coincide(i, j)) continue;
+      if (is_vertical(i) || is_vertical(j) || proven_apart(i, j) ||
+          rfm::are_apart(active_->surfaces[i]->quadric(), active_->surfaces[j]->quadric(), box_) ||
+          coincide(i, j))
+        continue;
       const auto &p = narrow_[i].gradient, &q = narrow_[j].gradient;
       Curve curve;
       // ∇(h_i − h_j) times the product of the height derivatives.

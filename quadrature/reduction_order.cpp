@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quadric_pencil.hpp"
 #include "quadrature/reduction_3d.hpp"
 
 namespace rfm {
@@ -13,10 +14,19 @@ namespace rfm {
 // crossing reaches a trace of its own surfaces it ends, as found from the traces.
 bool Reduction3D::may_meet(const Curve& a, const Curve& b) const {
   if (a.meeting != Meeting::at_most_once || b.meeting != Meeting::at_most_once) return false;
-  if (!a.is_crossing && !b.is_crossing) return a.first != b.first;
+  if (!a.is_crossing && !b.is_crossing) return a.first != b.first && !are_apart(a, b);
   if (a.is_crossing && b.is_crossing) return true;
   const Curve &crossing = a.is_crossing ? a : b, &trace = a.is_crossing ? b : a;
   return trace.first != crossing.first && trace.first != crossing.second;
+}
+
+// Traces on the same side of the box, of surfaces that vanish nowhere together there.
+bool Reduction3D::are_apart(const Curve& a, const Curve& b) const {
+  if (a.is_vertical || b.is_vertical || a.second != b.second) return false;
+  Box face = box_;
+  face.low[height_] = face.high[height_] = a.second == 0 ? box_.low[height_] : box_.high[height_];
+  return rfm::are_apart(active_->surfaces[a.first]->quadric(),
+                        active_->surfaces[b.first]->quadric(), face);
 }
 
 void Reduction3D::add_meetings(bool of_crossings) {

@@ -235,6 +235,22 @@ TEST(FailureModes3D, ThinPlates) {
   }
 }
 
+TEST(FailureModes3D, ShellsAsThinAsOneTenBillionth) {
+  for (const double width : {1e-3, 1e-6, 1e-10}) {
+    const auto ball = [](double radius) {
+      return solid((radius * radius - square(x() - 0.1) - square(y() - 0.2) - square(z())) / 2);
+    };
+    const Region shell = ball(1) - ball(1 - width);
+    const double within = (1 - width) * (1 - width);
+    const Errors error = errors(shell, 4 * pi / 3 * width * (1 + (1 - width) + within),
+                                4 * pi * (1 + within), 8, 10);
+    // The square of the inner radius is rounded to 1e-16.
+    EXPECT_LT(error.volume, 1e-11 + 1e-16 / width);
+    EXPECT_LT(error.area, 1e-10);
+    EXPECT_EQ(error.report.uncertified.boxes, 0);
+  }
+}
+
 TEST(FailureModes3D, WorkOnACellEndsSoonAfterItsBudget) {
   // Two gyroids, a quartic and a torus in eight cells, far from resolved by them.
   const auto wave = [](const Field& a, const Field& b) { return sin(3 * a) * cos(3 * b); };

@@ -258,6 +258,16 @@ TEST(FailureModes, StripsAsThinAsOneTenBillionth) {
   }
 }
 
+TEST(FailureModes, AnnuliAsThinAsOneTenBillionth) {
+  for (const double width : {1e-3, 1e-6, 1e-10}) {
+    const Region annulus = disk(0.1, 0.2, 1) - disk(0.1, 0.2, 1 - width);
+    const Errors error = errors(annulus, pi * width * (2 - width), 2 * pi * (2 - width), 16);
+    EXPECT_LT(error.area, 1e-14);
+    EXPECT_LT(error.perimeter, 1e-12);
+    EXPECT_EQ(error.report.uncertified.boxes, 0);
+  }
+}
+
 TEST(FailureModes, BisectionThatHelpsNothingEndsAtTheBudget) {
   // x² + y² < 0.01 written so that bounds are hopeless: a sum of terms that cancel.
   Field hopeless = square(x()) + square(y()) - 0.01;
