@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/same_sign.hpp"
 #include "core/sector_sides.hpp"
 #include "core/segment_distance.hpp"
 
@@ -280,6 +281,8 @@ Region quadric(const std::vector<double>& coefficients, int dimension) {
   return unnamed(normalize(level, dimension), level, dimension);
 }
 
-Region level_set(const Field& f, int dimension) { return unnamed(f, f, dimension); }
+Region level_set(const Field& f, int dimension) {
+  return unnamed(f, simplest_of_same_sign(f), dimension);
+}
 
 }  // namespace rfm

@@ -56,7 +56,8 @@ Region capsule(const Point& from, const Point& to, double radius);
 /// z, 1. Throws `InvalidArgument` unless there are 6 (10 in space) finite ones, not all but the
 /// last 0.
 Region quadric(const std::vector<double>& coefficients, int dimension = 2);
-/// {f ≥ 0} for any function, taken as it is: not normalised.
+/// {f ≥ 0} for any function, taken as it is: not normalised. Quadrature takes the simplest function
+/// of the same sign (core/same_sign.hpp).
 Region level_set(const Field& f, int dimension = 2);
 
 }  // namespace rfm
