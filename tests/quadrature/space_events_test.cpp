@@ -117,6 +117,10 @@ TEST(SpaceEvents, QuadricsThatTouchPlanesOfTheGridAlongALineAreProved) {
   const Field along = c * (y() - z()), across = c * (y() + z());
   const Region rod =
       solid(0.25 - square(x()) - square(across)) & solid(0.5 - along) & solid(0.5 + along);
+  // The same rod as a bore, whose function is positive on those planes.
+  const Region bore = solid(0.75 - x()) & solid(0.75 + x()) & solid(0.6 - across) &
+                      solid(0.6 + across) & solid(0.5 - along) & solid(0.5 + along) &
+                      solid(square(x()) + square(across) - 0.25);
   const Field axis = c * (x() + z()), square_of_distance = square(x()) + square(y()) + square(z());
   const Region cone =
       solid(square(axis) - 0.5 * square_of_distance) & solid(axis) & solid(0.5 - axis);
@@ -128,6 +132,7 @@ TEST(SpaceEvents, QuadricsThatTouchPlanesOfTheGridAlongALineAreProved) {
   };
   for (const auto& [region, volume, area, area_error, uncertified, work] :
        {Case{rod, 0.25 * pi, 1.5 * pi, 1e-8, 1e-15, 1'000'000},
+        Case{bore, 1.8 - 0.25 * pi, 9 - 0.5 * pi + pi, 1e-8, 1e-15, 3'000'000},
         Case{cone, pi / 24, 0.25 * pi * (1 + std::sqrt(2.0)), 2e-6, 1e-3, 60'000'000}})
     for (const int points : {7, 8}) {
       const std::int64_t before = work_done;
