@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "core/bspline.hpp"
 #include "core/error.hpp"
 
 namespace rfm {
@@ -88,12 +89,34 @@ class Arrays {
   std::vector<bool> complete_;
 };
 
-// Lagrange's polynomial of place `own` among low … low + degree, at `at`.
-double continued(int own, int low, int degree, int at) {
-  double product = 1;
-  for (int other = low; other <= low + degree; ++other)
-    if (other != own) product *= double(at - other) / (own - other);
-  return product;
+using Weights = std::array<double, maximum_spline_degree + 1>;
+
+// Of splines low … low + degree along an axis, in the coefficient of spline `at` of the polynomial
+// that they make of the cell `low`, where they all live.
+Weights continued(const Grid& grid, int axis, int degree, int low, int at) {
+  Weights weights{};
+  if (grid.is_uniform()) {  // Lagrange's polynomials of the places
+    for (int own = 0; own <= degree; ++own) {
+      weights[own] = 1;
+      for (int other = 0; other <= degree; ++other)
+        if (other != own) weights[own] *= double(at - low - other) / (own - other);
+    }
+    return weights;
+  }
+  // The polynomial's blossom at the inner knots of the spline, by de Boor's algorithm.
+  const auto knot = [&](int j) { return grid.knot(axis, low + 1 - degree + j); };
+  std::array<Weights, maximum_spline_degree + 1> rows{};
+  for (int i = 0; i <= degree; ++i) rows[i][i] = 1;
+  for (int r = 1; r <= degree; ++r) {
+    const double t = grid.knot(axis, at - degree + r);
+    for (int i = degree; i >= r; --i) {
+      const double before = knot(i - 1), behind = knot(i - r + degree);
+      const double weight = (t - before) / (behind - before);
+      for (int c = 0; c <= degree; ++c)
+        rows[i][c] = (1 - weight) * rows[i - 1][c] + weight * rows[i][c];
+    }
+  }
+  return rows[degree];
 }
 
 }  // namespace
@@ -127,8 +150,6 @@ WebExtension WebExtension::of_inner(const TensorProductSpace& space,
 
 // By spline.
 void WebExtension::extend(const TensorProductSpace& space, const std::vector<bool>& is_inner) {
-  if (!space.grid().is_uniform())
-    throw InvalidArgument("splines are extended on grids of equal cells only");
   std::vector<int> number(space.spline_count(), -1);
   for (int function = 0; function < space.size(); ++function)
     if (is_inner[space.spline_of_function(function)]) {
@@ -143,10 +164,13 @@ void WebExtension::extend(const TensorProductSpace& space, const std::vector<boo
       continue;
     }
     const Place place = space.place(spline), low = arrays.nearest(place);
+    std::array<Weights, 3> along;
+    for (int axis = 0; axis < space.dimension(); ++axis)
+      along[axis] = continued(space.grid(), axis, space.degree(), low[axis], place[axis]);
     for_each_place(low, arrays.high(low), [&](const Place& own) {
       double weight = 1;
       for (int axis = 0; axis < space.dimension(); ++axis)
-        weight *= continued(own[axis], low[axis], space.degree(), place[axis]);
+        weight *= along[axis][own[axis] - low[axis]];
       if (weight != 0) entries_.push_back({function, number[space.spline(own)], weight});
     });
   }

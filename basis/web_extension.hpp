@@ -15,10 +15,12 @@ namespace rfm {
 ///     B_i = b_i + Σ_j e_{i,j} b_j,      e_{i,j} = Π_ν Π_{μ ≠ i_ν} (j_ν − μ) / (i_ν − μ),
 ///
 /// with i in the array of (p + 1)^d inner splines nearest to j, and μ over the array's places along
-/// axis ν. Coefficients of polynomials of degree p are polynomials of the place, and e continues
-/// them, so that the order p + 1 stays, while the condition of systems does not depend on how
-/// thinly the boundary cuts cells. The weight of the method is that of the structure; what its
-/// authors divide it by is a scaling of the diagonal, which solvers do anyhow.
+/// axis ν, where cells are equal; else with the factors by which the coefficient of j follows from
+/// those of i in a polynomial, its blossom at the knots of j (core/grid_splines.hpp). Coefficients
+/// of polynomials of degree p are continued, so that the order p + 1 stays, while the condition of
+/// systems does not depend on how thinly the boundary cuts cells. The weight of the method is that
+/// of the structure; what its authors divide it by is a scaling of the diagonal, which solvers do
+/// anyhow.
 class WebExtension {
  public:
   struct Entry {
@@ -28,8 +30,8 @@ class WebExtension {
   };
 
   /// `inside[c]` ≠ 0 marks the cells of the grid that lie inside the region. Throws
-  /// `InvalidArgument` when there are not as many as cells, when cells are not equal, or when no
-  /// (p + 1)^d inner splines are neighbours anywhere.
+  /// `InvalidArgument` when there are not as many as cells, or when no (p + 1)^d inner splines are
+  /// neighbours anywhere.
   WebExtension(const TensorProductSpace& space, std::span<const std::uint8_t> inside);
 
   /// The same with inner functions of one's own choice: `inner[f]` tells of function f.

@@ -48,9 +48,6 @@ void read_knots(const DocumentNode& basis, ValueReader& values, Discretization& 
          knots->lines.back() != result.grid->high[axis]))
       values.mistakes.add("the first and last knots are not the sides of `grid`", node->place);
   }
-  if (result.extension)
-    values.mistakes.add("splines are extended where all cells are equal: extension or knots",
-                        map->place);
 }
 
 }  // namespace rfm

@@ -161,12 +161,8 @@ void read_factorization(const DocumentNode& solver, ValueReader& values, Discret
   const DocumentNode* points = values.find(solver, "points");
   if (points && points->text == "greville") {
     result.points = Discretization::Points::greville;
-    const bool has_knots =
-        std::ranges::any_of(result.knots, [](const auto& knots) { return knots.has_value(); });
     if (result.method != Method::collocation)
       values.mistakes.add("points are chosen where `method` is collocation", points->place);
-    else if (has_knots)
-      values.mistakes.add("Greville points need equal cells: points or knots", points->place);
   }
   const DocumentNode* factorization = values.find(solver, "factorization");
   if (!factorization || factorization->text == "auto") return;
@@ -176,6 +172,17 @@ void read_factorization(const DocumentNode& solver, ValueReader& values, Discret
   if (result.method != Method::least_squares)
     values.mistakes.add("a factorization is chosen where `method` is least_squares",
                         factorization->place);
+}
+
+// Extended splines are those of systems; rows at points have splines of their own.
+void check_extension(const DocumentNode& map, ValueReader& values, const Discretization& result) {
+  const bool at_points = result.method == Discretization::Method::collocation ||
+                         result.factorization == Discretization::Factorization::qr;
+  if (result.extension && at_points)
+    values.mistakes.add(
+        "splines are extended by Ritz's and Galerkin's method, and by least squares with normal "
+        "equations",
+        map.find("basis")->find("extension")->place);
 }
 
 }  // namespace
@@ -234,6 +241,7 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
     if (const DocumentNode* threads = values.find(*solver, "threads"))
       result.threads = values.integer(*threads);
   }
+  check_extension(*map, values, result);
   return result;
 }
 

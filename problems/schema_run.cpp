@@ -83,8 +83,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
      positive},
     {"discretization.basis.extension", boolean_value, standard("false"),
      "Whether splines without a whole cell in the domain are attached to others, so that the "
-     "condition "
-     "does not depend on how the boundary cuts cells. For linear problems.",
+     "condition does not depend on how the boundary cuts cells.",
      works, any_range, "bspline"},
     {"discretization.basis.degrees", named_map_value, optional,
      "Degrees of single unknowns that differ from that of the others, by name.", works, any_range,
@@ -101,7 +100,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"discretization.method=galerkin", word_value, optional, "The weak form is tested."},
     {"discretization.method=least_squares", word_value, optional, "The residual is minimised."},
     {"discretization.method=collocation", word_value, optional,
-     "The residual is small at Gauss points, more of them than unknowns."},
+     "The residual is small at points: those of Gauss, or of Greville (solver.points)."},
     {"discretization.structure", text_value | named_map_value, optional,
      "A solution structure of one's own: a formula in psi1, psi2, ... (psi, if there is one) that "
      "takes all values that are prescribed; of several unknowns {name: formula}. D(omega, f) is "

@@ -23,11 +23,9 @@ GrevilleSpace greville_space(const TensorProductSpace& space, const RegionEvalua
   const Grid& grid = space.grid();
   GrevilleSpace result{std::vector<bool>(static_cast<std::size_t>(space.size()), false), {}};
   std::vector<std::vector<Point>> of_cell(static_cast<std::size_t>(grid.cell_count()));
-  double margin = grid.smallest_width(0), measure = 1;
-  for (int axis = 0; axis < grid.dimension(); ++axis) {
+  double margin = grid.smallest_width(0);
+  for (int axis = 0; axis < grid.dimension(); ++axis)
     margin = std::min(margin, grid.smallest_width(axis));
-    measure *= grid.spacing(axis);
-  }
   margin *= distance_from_boundary;
   for (int function = 0; function < space.size(); ++function) {
     const std::array<int, 3> place = space.place(space.spline_of_function(function));
@@ -47,8 +45,13 @@ GrevilleSpace greville_space(const TensorProductSpace& space, const RegionEvalua
     of_cell[grid.number(cell)].push_back(point);
   }
   result.points.begin.push_back(0);
-  for (const std::vector<Point>& points : of_cell) {
-    for (const Point& point : points) result.points.points.add(grid.dimension(), point, measure);
+  for (int cell = 0; cell < grid.cell_count(); ++cell) {
+    // As if a spline had a cell of its own.
+    double measure = 1;
+    for (int axis = 0; axis < grid.dimension(); ++axis)
+      measure *= grid.width(axis, grid.position(cell)[axis]);
+    for (const Point& point : of_cell[cell])
+      result.points.points.add(grid.dimension(), point, measure);
     result.points.begin.push_back(result.points.points.size());
   }
   return result;

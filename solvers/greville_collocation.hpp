@@ -18,8 +18,8 @@ namespace rfm {
 /// methods, 2010).
 ///
 /// Residual k of the volume is collocated at the points of space k where there are as many spaces
-/// as residuals, else all are at those of the first. Throws `InvalidArgument` where cells are not
-/// equal, and `ComputationError` as `solve_collocation` does.
+/// as residuals, else all are at those of the first. Cells may have any
+/// widths. Throws `ComputationError` as `solve_collocation` does.
 NewtonSolution solve_greville(std::span<const Structure> structures,
                               std::span<const TensorProductSpace> spaces,
                               std::span<const Form> forms, const RegionEvaluator& region,

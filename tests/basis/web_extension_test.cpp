@@ -84,11 +84,49 @@ TEST(WebExtension, TakesInnerFunctionsOfOnesOwnChoice) {
   EXPECT_THROW(WebExtension::of_inner(space, {true}), InvalidArgument);
 }
 
-TEST(WebExtension, NeedsEqualCells) {
-  const std::vector<double> lines[] = {{0, 1, 2, 4}};
-  const Grid grid = Grid::with_lines(lines);
-  EXPECT_THROW(WebExtension(TensorProductSpace(grid, 1), std::vector<std::uint8_t>(3, 1)),
-               InvalidArgument);
+// Cells of widths between 0.4 and 1.6 of the mean, different along both axes.
+Grid uneven_grid() {
+  std::vector<double> lines[2];
+  for (int axis = 0; axis < 2; ++axis)
+    for (int i = 0; i <= 12; ++i)
+      lines[axis].push_back(-1.1 + 2.2 * i / 12 + 0.08 * std::sin((2.1 + axis) * i));
+  return Grid::with_lines(lines);
+}
+
+// x^a in the splines of an axis: the coefficient of spline j is the mean of the products of a of
+// its inner knots.
+double blossom_of_power(const Grid& grid, int axis, int degree, int spline, int power) {
+  std::vector<double> elementary(power + 1, 0.0);
+  elementary[0] = 1;
+  double choices = 1;
+  for (int i = 1; i <= degree; ++i)
+    for (int k = power; k >= 1; --k)
+      elementary[k] += grid.knot(axis, spline - degree + i) * elementary[k - 1];
+  for (int k = 1; k <= power; ++k) choices *= double(degree + 1 - k) / k;
+  return elementary[power] / choices;
+}
+
+TEST(WebExtension, ContinuesPolynomialsOnCellsOfDifferentWidths) {
+  const Grid grid = uneven_grid();
+  Disk disk;
+  for (int degree = 1; degree <= 4; ++degree) {
+    const TensorProductSpace space(grid, degree, disk.met);
+    const WebExtension web(space, disk.inside);
+    ASSERT_LT(web.size(), space.size());
+    for (int a = 0; a <= degree; ++a)
+      for (int b = 0; b <= degree; ++b) {
+        const auto exact = [&](int function) {
+          const auto place = space.place(space.spline_of_function(function));
+          return blossom_of_power(grid, 0, degree, place[0], a) *
+                 blossom_of_power(grid, 1, degree, place[1], b);
+        };
+        std::vector<double> extended(space.size(), 0.0);
+        for (const WebExtension::Entry& entry : web.entries())
+          extended[entry.function] += entry.weight * exact(web.inner()[entry.inner]);
+        for (int function = 0; function < space.size(); ++function)
+          EXPECT_NEAR(extended[function], exact(function), 2e-11) << degree << " " << a << " " << b;
+      }
+  }
 }
 
 TEST(WebExtension, IsNothingWhereAllCellsAreInside) {
