@@ -121,6 +121,10 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
     log.line("boundary residual of the modes, of unit mass: {:.1e}", solution.boundary_residual);
     return;
   }
+  if (solution.linearity == Linearity::by_value)
+    log.line(
+        "note: the equations are linear by their values, though not by their formulas: one system, "
+        "and the residual at its solution is that of a linear problem");
   log_newton(log, solution);
   log.line("solved: linear residual {:.1e}, boundary residual {:.1e}{}",
            solution.linear.relative_residual, solution.boundary_residual,

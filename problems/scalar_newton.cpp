@@ -59,19 +59,22 @@ void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
   const bool squares = discretization.method == Discretization::Method::least_squares;
+  NewtonOptions options;
+  options.looks_linear = solution.linearity == Linearity::by_value;
   NewtonSolution newton;
   if (squares) {
-    newton = solve_collocation(structures, functions, equations, solution.rule);
+    newton = solve_collocation(structures, functions, equations, solution.rule, options);
   } else if (discretization.points == Discretization::Points::gauss) {
-    newton = solve_collocation(structures, functions, equations, collocation_rule(grid));
+    newton = solve_collocation(structures, functions, equations, collocation_rule(grid), options);
   } else {
     if (function_count() > unknown_count())
       throw ComputationError(
           "collocation at Greville points has one equation for each spline of an unknown, but the "
           "structure has more functions than unknowns: enforce conditions weakly (enforce: weak), "
           "or take Gauss points");
-    newton = solve_greville(structures, functions, equations, region_, solution.rule);
+    newton = solve_greville(structures, functions, equations, region_, solution.rule, options);
   }
+  if (!newton.iterations.empty()) solution.linearity = Linearity::none;
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);
@@ -118,6 +121,9 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
   options.finer_rule = [&] { return finer_rule(grid); };
+  std::optional<SplineExtension> extension;
+  if (problem_.discretization.extension)
+    options.extension = &extension.emplace(functions, solution.rule);
   std::optional<Eigen::VectorXd> start;
   for (const ContinuationStop& stop : continuation_stops(problem_)) {
     start = solved_stop(stop, functions, solution.rule, linear_options(), options, start);

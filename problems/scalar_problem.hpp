@@ -22,6 +22,7 @@
 #include "solvers/equations.hpp"
 #include "solvers/form.hpp"
 #include "solvers/linear_solver.hpp"
+#include "solvers/linearity.hpp"
 #include "solvers/newton.hpp"
 
 namespace rfm {
@@ -50,6 +51,7 @@ struct ScalarSolution {
   /// Where a structure has several functions, which may describe nearly the same: how large a part
   /// of u the equations leave open, relative to u in L2 (an estimate by chance).
   std::optional<double> undetermined{};
+  Linearity linearity = Linearity::by_form;
   /// The steps of a nonlinear problem, and the order of convergence that they show.
   std::vector<NewtonIteration> newton{};
   std::optional<double> newton_order{};
@@ -131,6 +133,9 @@ class ScalarProblem {
   LinearSystem solve_linear(const std::vector<Contribution>& parts,
                             const std::vector<TensorProductSpace>& functions, bool free_constant,
                             ScalarSolution& solution) const;
+  bool is_solved(const std::vector<Form>& equations,
+                 const std::vector<TensorProductSpace>& functions, const LinearSystem& system,
+                 ScalarSolution& solution) const;
   void solve_forms(const std::vector<Form>& equations,
                    const std::vector<TensorProductSpace>& functions,
                    ScalarSolution& solution) const;

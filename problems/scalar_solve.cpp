@@ -12,12 +12,10 @@
 #include "problems/stopwatch.hpp"
 #include "solvers/assembly.hpp"
 #include "solvers/energy.hpp"
-#include "solvers/extension.hpp"
 #include "solvers/free_functions.hpp"
 #include "solvers/integrate.hpp"
 #include "solvers/kernel.hpp"
 #include "solvers/solution.hpp"
-#include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
 namespace {
@@ -44,24 +42,7 @@ void require_values(const std::vector<DirichletPlan>& plans, const ScalarSolutio
         largest, solution.boundary_residual));
 }
 
-// What the equations leave free, as the level of a pressure or rigid motions, is pinned somehow.
-LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctions& candidates,
-                                   const std::vector<std::string>& unknowns,
-                                   const LinearSolverOptions& options,
-                                   const std::function<LinearSystem()>& finer) {
-  const Kernel kernel(system, candidates.coefficients(), finer);
-  LinearSolution solution = rfm::solve(kernel.pinned(system), options);
-  // Quadrature keeps the balance of loads to its own error, which is that of the solution.
-  const double missing = kernel.incompatibility(system, solution.coefficients);
-  if (!(missing < 1e-6))
-    throw ComputationError(
-        fmt::format("no steady solution exists: nothing fixes {}, and the loads on it do not "
-                    "balance (by {:.1e} "
-                    "of all loads)",
-                    candidates.text(kernel.weights(), unknowns), missing));
-  return solution;
-}
-
+// Tangent, and minus the residual, where the solution is `fields`.
 LinearSystem tangent_at(const std::vector<Form>& equations, const std::vector<Field>& fields,
                         const std::vector<Structure>& structures,
                         const std::vector<TensorProductSpace>& functions, const DomainRule& rule) {
@@ -119,6 +100,21 @@ double ScalarProblem::stored_energy(const LinearSystem& system,
   return energy;
 }
 
+// Whether what seemed to be linear by its values is so at the solution, too.
+bool ScalarProblem::is_solved(const std::vector<Form>& equations,
+                              const std::vector<TensorProductSpace>& functions,
+                              const LinearSystem& system, ScalarSolution& solution) const {
+  constexpr double precision = 1e-9;
+  const std::vector<Structure> structures = this->structures(solution.rule.grid());
+  const Eigen::VectorXd& coefficients = solution.linear.coefficients;
+  const LinearSystem there =
+      tangent_at(equations, solution_fields(structures, functions, coefficients), structures,
+                 functions, solution.rule);
+  if (departure_from_linear(system, coefficients, there.right_hand_side) <= precision) return true;
+  solution.linearity = Linearity::none;
+  return false;
+}
+
 ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   Stopwatch quadrature;
   ScalarSolution solution{.rule = rule(grid), .results = {}, .linear = {}, .seconds = {}};
@@ -142,20 +138,22 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   LinearSystem system;
   if (uses_forms(*this)) {
     equations = problem_forms(*this, grid);
-    if (std::ranges::all_of(equations, &Form::is_linear))
-      for (const Form& form : equations) parts.push_back(form.linear());
+    solution.linearity = linearity(equations, solution.rule);
+    if (solution.linearity != Linearity::none)
+      for (const Form& form : equations)
+        parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
   } else {
     parts = contributions(grid);
   }
-  if (problem_.discretization.extension &&
-      (problem_.discretization.method == Discretization::Method::collocation || parts.empty()))
-    throw ComputationError(
-        "extended splines serve linear problems by Ritz's and Galerkin's method");
   const auto solve_system = [&] {
-    if (parts.empty())
-      solve_forms(equations, functions, solution);
-    else
+    if (!parts.empty()) {
       system = solve_linear(parts, functions, free_constant, solution);
+      if (solution.linearity == Linearity::by_form ||
+          is_solved(equations, functions, system, solution))
+        return;
+      parts.clear();
+    }
+    solve_forms(equations, functions, solution);
   };
   bool at_points =
       problem_.discretization.method == Discretization::Method::collocation || must_use_qr();
@@ -203,70 +201,6 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   solution.boundary_residual = boundary_residual(solution);
   require_values(plans_, solution);
   return solution;
-}
-
-LinearSolverOptions ScalarProblem::linear_options() const {
-  LinearSolverOptions options;
-  options.dimension = problem_.dimension;
-  options.tolerance = problem_.discretization.tolerance;
-  if (problem_.discretization.linear_solver == Discretization::LinearSolver::direct)
-    options.method = LinearSolverOptions::Method::direct;
-  // Several functions in one unknown may describe nearly the same.
-  if (function_count() > unknown_count()) {
-    options.method = LinearSolverOptions::Method::direct;
-    options.regularization = 1e-13;
-    options.refinement_steps = 4;
-  }
-  return options;
-}
-
-// Splines of which a few thin slivers are left may be dependent to rounding, so that the matrix is
-// singular although the solution is determined: then what a regularised system leaves open is
-// nothing inside the domain. Where a condition is missing it is not.
-LinearSolution ScalarProblem::solve_determined(const LinearSystem& system,
-                                               const std::vector<TensorProductSpace>& functions,
-                                               ScalarSolution& solution) const {
-  LinearSolverOptions options = linear_options();
-  try {
-    return rfm::solve(system, options);
-  } catch (const SingularSystem&) {
-    options.method = LinearSolverOptions::Method::direct;
-    options.regularization = 1e-13;
-    options.refinement_steps = 4;
-    solution.linear = rfm::solve(system, options);
-    solution.undetermined = undetermined_part(system, functions, solution, options);
-    if (!(*solution.undetermined < 1e-6)) throw;
-    return solution.linear;
-  }
-}
-
-LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
-                                         const std::vector<TensorProductSpace>& functions,
-                                         bool free_constant, ScalarSolution& solution) const {
-  Stopwatch assembly;
-  LinearSystem system = assemble(structures(solution.rule.grid()), functions, parts, solution.rule);
-  if (free_constant) pin_one(system);
-  solution.seconds.assembly = assembly.seconds();
-  Stopwatch solve;
-  if (problem_.discretization.extension) {
-    const SplineExtension extension(functions, solution.rule);
-    solution.linear = rfm::solve(extension.extended(system), linear_options());
-    solution.linear.coefficients = extension.matrix * solution.linear.coefficients;
-    solution.seconds.solve = solve.seconds();
-    return system;
-  }
-  solution.linear =
-      free_constant || !uses_forms(*this)
-          ? solve_determined(system, functions, solution)
-          : solve_beside_kernel(system, FreeFunctions(structures(solution.rule.grid()), functions),
-                                problem_.physics.unknowns, linear_options(), [&] {
-                                  return assemble(structures(solution.rule.grid()), functions,
-                                                  parts, finer_rule(solution.rule.grid()));
-                                });
-  if (function_count() > unknown_count())
-    solution.undetermined = undetermined_part(system, functions, solution, linear_options());
-  solution.seconds.solve = solve.seconds();
-  return system;
 }
 
 }  // namespace rfm

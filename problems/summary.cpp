@@ -99,6 +99,11 @@ std::string method_name(LinearSolution::Method method) {
   }
 }
 
+const char* linearity_name(Linearity linearity) {
+  if (linearity == Linearity::none) return "no";
+  return linearity == Linearity::by_form ? "by form" : "by value";
+}
+
 // The structures as they may be written into the file, and what their weights are made of: one
 // text, or one for each unknown.
 void add_structures(ordered_json& summary, const ScalarProblem& problem, const Grid& grid) {
@@ -149,6 +154,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
            domain_function(problem), problem, solution.rule, problem.bounding_primitives()))
     summary["distance_quality"][name] = deviation;
   if (solution.energy) summary["energy"] = *solution.energy;
+  if (!solution.eigen) summary["linear"] = linearity_name(solution.linearity);
   for (const NewtonIteration& iteration : solution.newton)
     summary["newton"]["steps"].push_back({{"residual", iteration.residual},
                                           {"step", iteration.step},

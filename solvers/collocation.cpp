@@ -162,6 +162,9 @@ CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> 
 
 namespace {
 
+// To which residuals behind a step are foretold by it where they are linear.
+constexpr double linear_precision = 1e-9;
+
 // The step, and how it was found.
 Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& report) {
   if (system.matrix.rows() == system.matrix.cols()) {
@@ -188,6 +191,15 @@ NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptio
     NewtonIteration& iteration = solution.iterations.emplace_back();
     iteration.residual = system.right_hand_side.norm();
     const Eigen::VectorXd step = full_step(system, solution.linear);
+    if (i == 0 && options.looks_linear && !problem.is_linear) {
+      const Eigen::VectorXd foretold = system.right_hand_side - system.matrix * step;
+      const double departure = (problem.at(step).right_hand_side - foretold).norm();
+      if (departure <= linear_precision * iteration.residual) {
+        solution.iterations.clear();
+        solution.linear.coefficients = step;
+        return solution;
+      }
+    }
     const double whole = (unknowns + step).norm();
     iteration.step = whole > 0 ? step.norm() / whole : 0;
     if (problem.is_linear || iteration.step <= options.tolerance) {

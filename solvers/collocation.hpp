@@ -54,7 +54,7 @@ struct ResidualProblem {
   bool is_linear = false;
 };
 /// Gauss's and Newton's method from y = 0, each step by Q R, or by a factorisation with pivots
-/// where there are as many residuals as unknowns.
+/// where there are as many residuals as unknowns. Linear problems have no iterations.
 NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options);
 
 }  // namespace rfm

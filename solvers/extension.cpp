@@ -23,6 +23,13 @@ SplineExtension::SplineExtension(std::span<const TensorProductSpace> spaces,
   matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
+Eigen::MatrixXd SplineExtension::reduced(const Eigen::MatrixXd& coefficients) const {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(inner.size()), coefficients.cols());
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) = coefficients.row(inner[i]);
+  return rows;
+}
+
 LinearSystem SplineExtension::extended(const LinearSystem& system) const {
   LinearSystem result;
   result.symmetric = system.symmetric;

@@ -19,6 +19,8 @@ struct SplineExtension {
   SplineExtension(std::span<const TensorProductSpace> spaces, const DomainRule& rule);
   /// Eᵀ K E y = Eᵀ f: the same equations for the extended splines.
   LinearSystem extended(const LinearSystem& system) const;
+  /// y of coefficients c = E y: those of the inner ones. By columns.
+  Eigen::MatrixXd reduced(const Eigen::MatrixXd& coefficients) const;
 };
 
 }  // namespace rfm

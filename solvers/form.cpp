@@ -166,7 +166,9 @@ Field Form::tangent(const Slot& test, const Slot& trial, int dimension) const {
   return 0.0;
 }
 
-Contribution Form::contribution(const Replacement& slots) const {
+Contribution Form::at(const Replacement& slots) const {
+  if (slots.size() != slots_.size())
+    throw InvalidArgument("a form takes a value for each of its slots");
   Contribution result;
   result.place = place_.place;
   result.numbers = place_.numbers;
@@ -185,7 +187,7 @@ Contribution Form::contribution(const Replacement& slots) const {
 
 Contribution Form::linear() const {
   if (!is_linear()) throw InvalidArgument("the form is not linear");
-  return contribution(Replacement(slots_.size(), 0.0));
+  return at(Replacement(slots_.size(), 0.0));
 }
 
 Form::Replacement Form::slots_of(std::span<const Field> components) const {
@@ -203,7 +205,7 @@ Form::Replacement Form::slots_of(std::span<const Field> components) const {
 }
 
 Contribution Form::linearized(std::span<const Field> components) const {
-  return contribution(slots_of(components));
+  return at(slots_of(components));
 }
 
 std::vector<Form::ResidualRow> Form::residual_rows(std::span<const Field> components) const {

@@ -59,6 +59,10 @@ class Form {
   /// Tangent and residual of a linear form, as a contribution to the equations of the solution
   /// itself. Throws `InvalidArgument` if it is not linear.
   Contribution linear() const;
+  /// Tangent and residual with fields in the place of the slots, by number, whatever they are
+  /// derivatives of: with zeros, the equations of a form that is linear, if only by its values
+  /// (solvers/linearity.hpp).
+  Contribution at(const std::vector<Field>& slots) const;
   /// Tangent and residual where the solution is `components`: a contribution to the equations of
   /// its *change*, whose structure has no inhomogeneous part.
   Contribution linearized(std::span<const Field> components) const;
@@ -85,7 +89,6 @@ class Form {
 
   Form(Kind kind, FormPlace place) : kind_(kind), place_(std::move(place)) {}
   void add_tangent(const Slot& test, const Slot& trial, const Field& value);
-  Contribution contribution(const Replacement& slots) const;
   Replacement slots_of(std::span<const Field> components) const;
   Replacement symbols(int dimension) const;
 

@@ -38,12 +38,12 @@ class Newton {
         linear_options_(linear_options),
         options_(options),
         arguments_(arguments),
-        candidates_(structures, spaces) {
+        candidates_(reduced(FreeFunctions(structures, spaces).coefficients())) {
     for (const Structure& structure : structures) changes_.push_back(homogeneous_part(structure));
   }
 
   NewtonSolution solve(const Vector& start) {
-    coefficients_ = start;
+    coefficients_ = reduced(start);
     system_ = assembled(coefficients_);
     set_scale();
     const Vector first_residual = system_.right_hand_side;
@@ -51,20 +51,29 @@ class Newton {
       remaining_ = (1 - double(step) / options_.load_steps) * first_residual;
       iterate();
     }
-    solution_.linear.coefficients = coefficients_;
+    solution_.linear.coefficients = all(coefficients_);
     return std::move(solution_);
   }
 
  private:
+  // Coefficients of extended splines, if there are such, and of all.
+  Eigen::MatrixXd reduced(const Eigen::MatrixXd& coefficients) const {
+    return options_.extension ? options_.extension->reduced(coefficients) : coefficients;
+  }
+  Vector all(const Vector& coefficients) const {
+    return options_.extension ? Vector(options_.extension->matrix * coefficients) : coefficients;
+  }
+
   // Tangent, and minus the residual, at a state.
   LinearSystem assembled(const Vector& coefficients) const {
     return assembled(coefficients, rule_);
   }
   LinearSystem assembled(const Vector& coefficients, const DomainRule& rule) const {
-    const std::vector<Field> fields = solution_fields(structures_, spaces_, coefficients);
+    const std::vector<Field> fields = solution_fields(structures_, spaces_, all(coefficients));
     std::vector<Contribution> contributions;
     for (const Form& form : forms_) contributions.push_back(form.linearized(fields));
-    return assemble(changes_, spaces_, contributions, rule, arguments_);
+    LinearSystem system = assemble(changes_, spaces_, contributions, rule, arguments_);
+    return options_.extension ? options_.extension->extended(system) : system;
   }
 
   void set_scale() {
@@ -110,7 +119,7 @@ class Newton {
       std::function<LinearSystem()> finer;
       if (options_.finer_rule)
         finer = [&] { return assembled(coefficients_, options_.finer_rule()); };
-      const Kernel kernel(system, candidates_.coefficients(), finer);
+      const Kernel kernel(system, candidates_, finer);
       solution_.linear = rfm::solve(kernel.pinned(std::move(system)), linear_options_);
     } catch (const ComputationError& error) {
       fail(error.what());
@@ -160,7 +169,7 @@ class Newton {
   LinearSolverOptions linear_options_;
   NewtonOptions options_;
   FieldArguments arguments_;
-  FreeFunctions candidates_;  // for what equations leave free: the level of a pressure
+  Eigen::MatrixXd candidates_;  // for what equations leave free: the level of a pressure
   std::vector<Structure> changes_;
   Vector coefficients_, row_scale_, column_scale_, remaining_;
   LinearSystem system_;

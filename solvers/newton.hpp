@@ -10,6 +10,7 @@
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/extension.hpp"
 #include "solvers/field_arguments.hpp"
 #include "solvers/form.hpp"
 #include "solvers/linear_solver.hpp"
@@ -26,6 +27,11 @@ struct NewtonOptions {
   /// On the way from the start to the solution, the residual R is brought down in so many equal
   /// parts, R(u) = (1 − s) R(u₀) with s = 1/n, 2/n, …, 1: steps of the load where u₀ = 0.
   int load_steps = 1;
+  /// Of collocation: the forms are linear by their values (solvers/linearity.hpp), so that one step
+  /// is the solution if the residuals behind it are those that the step foretells.
+  bool looks_linear = false;
+  /// Extended splines, in which the solution is looked for; it must outlive the call.
+  const SplineExtension* extension = nullptr;
   /// The rule with more points, by which `Kernel` tells errors of quadrature from what holds a
   /// function softly.
   std::function<DomainRule()> finer_rule{};

@@ -181,6 +181,33 @@ TEST(Newton, NamesThePlaceWhereAFormIsNotDefined) {
   EXPECT_THAT(failure_of(problem), HasSubstr("not a number at the point ("));
 }
 
+TEST(Newton, FindsTheSolutionInExtendedSplines) {
+  const NonlinearProblem problem = nonlinear_diffusion();
+  const auto error_of = [&](int cells) {
+    const Grid grid = Grid::with_square_cells(problem.box, cells);
+    const DomainRule rule = rule_for(problem.region, grid, 2);
+    const std::vector<TensorProductSpace> spaces{
+        TensorProductSpace(grid, 2, cells_in_region(rule, 2))};
+    const std::vector<Structure> structures{problem.data +
+                                            problem.omega * Structure::undetermined()};
+    const SplineExtension extension(spaces, rule);
+    NewtonOptions options;
+    options.extension = &extension;
+    const NewtonSolution solution =
+        solve_newton(structures, spaces, std::span(&problem.form, 1), rule, {}, options);
+    EXPECT_GT(*solution.order(), 1.7);
+    // In the span of the extended splines, and not in the whole one.
+    const Eigen::VectorXd& c = solution.linear.coefficients;
+    EXPECT_LT((c - extension.matrix * extension.reduced(c)).norm(), 1e-13 * c.norm());
+    EXPECT_LT(static_cast<int>(extension.inner.size()), spaces[0].size());
+    return norms(solution_fields(structures, spaces, c)[0] - problem.exact,
+                 rule_for(problem.region, grid, 4))
+        .l2;
+  };
+  const double coarse = error_of(20), fine = error_of(40);
+  EXPECT_NEAR(std::log2(coarse / fine), 3, 0.5);
+}
+
 TEST(Newton, RefusesNoLoadSteps) {
   NewtonOptions options;
   options.load_steps = 0;
