@@ -29,6 +29,10 @@ std::vector<std::string> data_keys(Condition::Kind kind) {
       return {"coefficient", "ambient"};
     case Condition::Kind::robin:
       return {"a", "b", "c"};
+    case Condition::Kind::slope:
+      return {"normal_derivative"};
+    case Condition::Kind::oblique:
+      return {"value", "direction.x", "direction.y", "direction.z"};
   }
   return {};
 }
@@ -72,6 +76,9 @@ void add_values(const Condition& condition, const std::vector<std::string>& unkn
     if (is_free) piece.enforcement = Condition::Enforcement::automatic;
     piece.clamped = condition.clamped;
     piece.data = {is_free || condition.clamped ? Field(0.0) : value->second.field(scope)};
+    for (const char* key : {"normal_derivative", "second_normal_derivative"})
+      if (const auto derivative = condition.data.find(key); derivative != condition.data.end())
+        piece.data.push_back(derivative->second.field(scope));
     result.push_back(piece);
   }
 }
@@ -214,10 +221,12 @@ std::vector<PieceCondition> piece_conditions(const Problem& problem, const Regio
       piece.kind = condition.kind;
       piece.enforcement = condition.enforcement;
       piece.condition = claim.condition;
+      piece.exponent = condition.exponent;
       piece.where = exclusive(claim.where, earlier);
       if (claim.where) earlier.push_back(*claim.where);
       for (const std::string& key : data_keys(condition.kind))
-        piece.data.push_back(condition.data.at(key).field(natural_scope));
+        if (const auto datum = condition.data.find(key); datum != condition.data.end())
+          piece.data.push_back(datum->second.field(natural_scope));
       if (condition.kind == Condition::Kind::value)
         add_values(condition, problem.physics.unknowns, scope, piece, result);
       else

@@ -22,8 +22,11 @@ struct PieceCondition {
   Condition::Enforcement enforcement = Condition::Enforcement::automatic;
   std::optional<Field> where;
   bool clamped = false;  ///< a value of 0 whose normal derivative vanishes, too
-  /// Value; flux; coefficient h and ambient; a, b, c: in the order of the contract.
+  /// Value; flux; coefficient h and ambient; a, b, c: in the order of the contract. Of an oblique
+  /// derivative the value, then the direction. Of
+  /// interpolation the value, if there is one, and normal derivatives by order.
   std::vector<Field> data;
+  int exponent = 0;  ///< as that of `Condition`
   /// Position in the problem's list; conditions of one entry share their data as written.
   int condition = 0;
 };
@@ -57,6 +60,8 @@ struct DirichletPlan {
   std::vector<std::string> remarks;
   /// ω is made of another expression of the domain, which has no zeros inside.
   bool uses_regular_form = false;
+  /// g is all of u, which interpolates so many sets of data; there is no ω.
+  int interpolated_sets = 0;
 };
 
 /// Divides the value conditions of one unknown, whose conditions are given. By structure: whole

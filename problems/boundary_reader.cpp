@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "core/nearest_name.hpp"
+#include "problems/condition_data.hpp"
+#include "problems/interpolation.hpp"
 #include "problems/region_choice.hpp"
 #include "problems/reserved_names.hpp"
-#include "problems/result_scope.hpp"
-#include "problems/solution_symbols.hpp"
 #include "problems/structure_options.hpp"
 
 namespace rfm {
@@ -161,8 +161,15 @@ void BoundaryReader::read_conditions() {
   if (const DocumentNode* remainder = values_.find(root_, "remainder")) values_.field(*remainder);
   std::vector<std::string> sets;
   for (const auto& [name, set] : problem_.sets) sets.push_back(name);
+  const bool interpolates = problem_.physics.type == PhysicsType::interpolation;
+  if (interpolates) {
+    check_interpolation_file(root_, values_);
+    for (const auto& [name, shape] : shapes_.shapes())
+      if (is_inner_shape(name, shapes_.shapes(), shapes_.domain())) sets.push_back(name);
+  }
   for (const DocumentNode& item : conditions->items) {
     if (!values_.fits(item)) continue;
+    if (interpolates) check_interpolated(item, values_);
     if (is_inner_condition(item, sets))
       mark_shapes(item);
     else
@@ -188,90 +195,8 @@ void BoundaryReader::read_condition(const DocumentNode& node) {
   if (const DocumentNode* enforce = values_.find(node, "enforce"))
     condition.enforcement =
         enforce->text == "weak" ? Condition::Enforcement::weak : Condition::Enforcement::structure;
-  ExpressionScope scope = values_.scope;
-  define_normal(scope, stand_in_normal(values_.dimension));
-  if (!values_.find(node, "value"))
-    define_symbols(scope, problem_.physics.unknowns, values_.dimension);
-  read_data(node, scope, condition);
+  read_condition_data(node, values_, problem_.physics, condition);
   problem_.conditions.push_back(std::move(condition));
-}
-
-void BoundaryReader::read_data(const DocumentNode& node, const ExpressionScope& scope,
-                               Condition& condition) {
-  const auto add = [&](const DocumentNode& map, const char* key) {
-    const DocumentNode* value = values_.find(map, key);
-    if (!value) return;
-    if (auto expression = values_.deferred(*value, scope))
-      condition.data.emplace(key, std::move(*expression));
-  };
-  if (const DocumentNode* value = values_.find(node, "value")) {
-    condition.kind = Condition::Kind::value;
-    read_values(*value, scope, condition);
-  } else if (const DocumentNode* free = values_.find(node, "free")) {
-    condition.kind = Condition::Kind::value;  // of no unknown
-    if (free->text != "true")
-      values_.mistakes.add("expected free: true; what is prescribed takes the place of false",
-                           free->place);
-    if (const DocumentNode* enforce = values_.find(node, "enforce"))
-      values_.mistakes.add("nothing is prescribed here that could be enforced", enforce->place);
-  } else if (const DocumentNode* clamped = values_.find(node, "clamped")) {
-    condition.kind = Condition::Kind::value;
-    condition.clamped = true;
-    if (clamped->text != "true") values_.mistakes.add("expected clamped: true", clamped->place);
-    if (!values_.results.flux.empty())
-      values_.mistakes.add(
-          "clamped is for equations of the fourth order: a value and a flux at one "
-          "place are too much here",
-          clamped->place);
-  } else if (values_.results.flux.empty()) {
-    values_.mistakes.add(
-        "custom physics have no flux of their own: write free: true here, and the integral of what "
-        "is given under physics.boundary",
-        node.place);
-  } else if (values_.find(node, "flux")) {
-    condition.kind = Condition::Kind::flux;
-    add(node, "flux");
-  } else if (const DocumentNode* convection = values_.find(node, "convection")) {
-    condition.kind = Condition::Kind::convection;
-    for (const char* key : {"coefficient", "ambient"}) add(*convection, key);
-  } else if (const DocumentNode* robin = values_.find(node, "robin")) {
-    condition.kind = Condition::Kind::robin;
-    for (const char* key : {"a", "b", "c"}) add(*robin, key);
-  } else if (const DocumentNode* slope = values_.find(node, "normal_derivative")) {
-    condition.kind = Condition::Kind::robin;
-    DocumentNode number = *slope;
-    for (const auto& [key, text] : {std::pair{"a", "0"}, std::pair{"b", "1"}}) {
-      number.text = text;
-      condition.data.emplace(key, DeferredExpression(number));
-    }
-    if (auto expression = values_.deferred(*slope, scope))
-      condition.data.emplace("c", std::move(*expression));
-  }
-}
-
-// One formula, or one for each unknown that is not free.
-void BoundaryReader::read_values(const DocumentNode& node, const ExpressionScope& scope,
-                                 Condition& condition) {
-  const std::vector<std::string>& unknowns = problem_.physics.unknowns;
-  const auto add = [&](const std::string& unknown, const DocumentNode& value) {
-    if (auto expression = values_.deferred(value, scope))
-      condition.data.emplace(unknown, std::move(*expression));
-  };
-  if (!node.is_map()) {
-    if (unknowns.size() == 1) return add(unknowns[0], node);
-    return values_.mistakes.add("there are several unknowns: expected {" + unknowns[0] + ": .., " +
-                                    unknowns[1] + ": ..}; those left out are free",
-                                node.place);
-  }
-  for (const DocumentNode::Entry& entry : node.entries) {
-    if (std::ranges::find(unknowns, entry.key) == unknowns.end())
-      values_.mistakes.add("unknown result '" + entry.key + "' in value" +
-                               did_you_mean(entry.key, unknowns) +
-                               "; expected: " + joined(unknowns),
-                           entry.key_place);
-    else if (values_.fits(entry.value))
-      add(entry.key, entry.value);
-  }
 }
 
 void BoundaryReader::report_unused() {

@@ -32,8 +32,6 @@ class BoundaryReader {
   void read_parts(const DocumentNode& of, const DocumentNode& map, BoundaryTarget& region);
   void mark_shapes(const DocumentNode& condition);
   void read_condition(const DocumentNode& node);
-  void read_values(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
-  void read_data(const DocumentNode& node, const ExpressionScope& scope, Condition& condition);
 
   const DocumentNode& root_;
   ValueReader& values_;

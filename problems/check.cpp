@@ -30,6 +30,10 @@ const char* kind_name(Condition::Kind kind) {
       return "flux";
     case Condition::Kind::convection:
       return "convection";
+    case Condition::Kind::slope:
+      return "normal derivative";
+    case Condition::Kind::oblique:
+      return "oblique derivative";
     default:
       return "robin";
   }
@@ -157,6 +161,9 @@ int check_problem(const std::string& file, const CheckOptions& options) {
     const DirichletPlan& plan = scalar.dirichlet()[c];
     if (!plan.own_structure.empty()) {
       log.line("structure: {} = {}", problem.physics.unknowns[c], plan.own_structure);
+    } else if (plan.interpolated_sets > 0) {
+      log.line("{} interpolates the data of {} sets", problem.physics.unknowns[c],
+               plan.interpolated_sets);
     } else if (!plan.by_structure.empty()) {
       log.line("structure: {} = g + omega psi, omega = {}", problem.physics.unknowns[c],
                plan.weight.formula);
@@ -180,7 +187,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   for (const RelationAnswer& answer : relations)
     log.line("{}", relation_text(answer, problem.dimension));
   log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
-           rule.report().cut_cells, scalar.equations(rule).size());
+           rule.report().cut_cells,
+           problem.physics.type == PhysicsType::interpolation ? 0 : scalar.equations(rule).size());
   if (options.picture) write_picture(file, options.output, scalar, rule, log);
   return 0;
 }

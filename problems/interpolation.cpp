@@ -8,6 +8,8 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "core/r_functions.hpp"
+#include "core/tape.hpp"
+#include "core/trim.hpp"
 
 namespace rfm {
 namespace {
@@ -157,6 +159,26 @@ class DatumReader {
   std::vector<Mistake> mistakes_;
 };
 
+SetData piece_data(const PieceCondition& condition, const RegionEvaluator& region,
+                   const Box& bounds) {
+  const BoundaryPiece piece = boundary_piece(condition.primitive, region, bounds);
+  SetData data;
+  data.distance = condition.where ? trim(piece.function, *condition.where) : piece.from_inside;
+  if (condition.kind == Condition::Kind::value) data.value = condition.data[0];
+  data.derivatives.assign(condition.data.begin() + (data.value ? 1 : 0), condition.data.end());
+  data.side = -outward_sign(condition.primitive, region) *
+              region.region().primitives()[condition.primitive]->function;
+  data.exponent = condition.exponent;
+  return data;
+}
+
+// Pieces on which one formula is given, and no derivatives, are one set: where they meet the
+// interpolant is defined.
+bool are_one(const SetData& a, const SetData& b) {
+  return a.value && b.value && a.derivatives.empty() && b.derivatives.empty() &&
+         a.exponent == b.exponent && same_expression(*a.value, *b.value);
+}
+
 }  // namespace
 
 bool is_inner_shape(const std::string& name, const std::map<std::string, Region>& shapes,
@@ -186,6 +208,60 @@ bool check_interpolation_entry(const DocumentNode& item, ValueReader& values) {
                std::to_string(order + 1) + " at least",
            exponent->place);
   return is_right;
+}
+
+void check_interpolation_file(const DocumentNode& root, ValueReader& values) {
+  const auto refuse = [&](const DocumentNode* node, const std::string& key) {
+    if (node)
+      values.mistakes.add("an interpolant solves no equation: '" + key + "' means nothing for it",
+                          node->place);
+  };
+  for (const char* key : {"enrich", "remainder", "windows"}) refuse(values.find(root, key), key);
+  if (const DocumentNode* discretization = values.find(root, "discretization"))
+    refuse(values.find(*discretization, "structure"), "structure");
+  if (const DocumentNode* physics = values.find(root, "physics"))
+    refuse(values.find(*physics, "materials"), "materials");
+  const DocumentNode* study = values.find(root, "study");
+  const DocumentNode* type = study ? values.find(*study, "type") : nullptr;
+  if (type && type->text != "steady") refuse(type, type->text);
+}
+
+std::vector<InterpolationDatum> inner_interpolation_data(const Problem& problem) {
+  const InterpolationPlaces places{problem.sets, problem.shapes, problem.domain, problem.dimension};
+  DatumReader reader(places, problem.scope);
+  std::vector<InterpolationDatum> list;
+  const DocumentNode* conditions = problem.document.find("conditions");
+  for (const DocumentNode& item : conditions->items) {
+    const DocumentNode* at = item.find("at");
+    const std::string& first = at->is_scalar() ? at->text : at->items.at(0).text;
+    if (problem.sets.contains(first) || is_inner_shape(first, problem.shapes, problem.domain))
+      reader.read(item, [&](InterpolationDatum datum) { list.push_back(std::move(datum)); });
+  }
+  if (!reader.mistakes().empty()) throw ProblemFileErrors(reader.mistakes());
+  return list;
+}
+
+Interpolation interpolation(const Problem& problem, const std::vector<PieceCondition>& conditions,
+                            const RegionEvaluator& region, const Box& bounds) {
+  std::vector<SetData> sets;
+  for (const PieceCondition& condition : conditions) {
+    const SetData data = piece_data(condition, region, bounds);
+    const auto same =
+        std::ranges::find_if(sets, [&](const SetData& other) { return are_one(other, data); });
+    if (same != sets.end()) {
+      same->distance = same->distance * data.distance;
+      continue;
+    }
+    sets.push_back(data);
+  }
+  for (const InterpolationDatum& datum : inner_interpolation_data(problem))
+    sets.push_back(datum.data);
+  try {
+    return {interpolated(sets, bounds.longest_side(), problem.dimension),
+            static_cast<int>(sets.size())};
+  } catch (const InvalidArgument& mistake) {
+    throw ProblemFileErrors({Mistake{mistake.what(), problem.conditions_place}});
+  }
 }
 
 std::optional<Field> interpolated_coefficient(const DocumentNode& list,

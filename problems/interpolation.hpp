@@ -7,12 +7,14 @@
 
 #include "core/region.hpp"
 #include "core/thin_set.hpp"
+#include "problems/boundary_conditions.hpp"
 #include "problems/value_reader.hpp"
 #include "solution_structures/set_interpolation.hpp"
 
 namespace rfm {
 
-/// Data of interpolation on a set, a shape or a side, as an entry of `interpolate` gives them.
+/// Data of interpolation on a set, a shape or a side, as an entry of `conditions` or `interpolate`
+/// gives them.
 struct InterpolationDatum {
   std::string name;
   SetData data;
@@ -39,6 +41,22 @@ bool is_inner_shape(const std::string& name, const std::map<std::string, Region>
 /// Reports exponents that lose a derivative, and derivatives without those that they need; whether
 /// there were none.
 bool check_interpolation_entry(const DocumentNode& item, ValueReader& values);
+
+/// Reports the keys of a file with `physics: {type: interpolation}` that only equations have.
+void check_interpolation_file(const DocumentNode& root, ValueReader& values);
+
+/// The entries of `conditions` on sets and on shapes inside the domain, of `physics: {type:
+/// interpolation}`. Throws `ProblemFileErrors`.
+std::vector<InterpolationDatum> inner_interpolation_data(const Problem& problem);
+
+/// u as the interpolant of so many sets of data (solution_structures/set_interpolation.hpp).
+struct Interpolation {
+  Structure structure;
+  int sets = 0;
+};
+/// That of all conditions. Throws `ProblemFileErrors`.
+Interpolation interpolation(const Problem& problem, const std::vector<PieceCondition>& conditions,
+                            const RegionEvaluator& region, const Box& bounds);
 
 /// A coefficient `{interpolate: [{at: .., value: ..}, ..]}`: a material graded between sets. The
 /// mistakes are reported; then nothing. `scope` is what its formulas may name.

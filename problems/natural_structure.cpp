@@ -45,6 +45,9 @@ Structure excess(const Structure& w, const NaturalPiece& piece,
   const int dimension = bounds.dimension;
   const std::vector<Field>& data = piece.condition.data;
   const Field& k = coefficients.conductivity[0];
+  if (piece.condition.kind == Condition::Kind::oblique)
+    return oblique_excess(w, piece.omega,
+                          {{data.begin() + 1, data.end()}, 0.0, data[0], bounds.longest_side()});
   if (is_isotropic(coefficients, dimension)) {
     switch (piece.condition.kind) {
       case Condition::Kind::convection:

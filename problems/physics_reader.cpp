@@ -64,6 +64,7 @@ class PhysicsReader {
     if (word == "heat") return PhysicsType::heat;
     if (word == "torsion") return PhysicsType::torsion;
     if (word == "membrane") return PhysicsType::membrane;
+    if (word == "interpolation") return PhysicsType::interpolation;
     return PhysicsType::poisson;
   }
 

@@ -56,7 +56,7 @@ struct Material {
   Place place;
 };
 
-enum class PhysicsType { poisson, heat, torsion, membrane, custom };
+enum class PhysicsType { poisson, heat, torsion, membrane, interpolation, custom };
 
 /// What is asked of the equation.
 struct Study {
@@ -119,16 +119,21 @@ struct Physics {
 };
 
 struct Condition {
-  enum class Kind { value, flux, convection, robin };
+  /// `slope`: of interpolation, a normal derivative without a value.
+  /// `oblique`: a derivative along any direction.
+  enum class Kind { value, flux, convection, robin, slope, oblique };
   enum class Enforcement { automatic, structure, weak };
   std::vector<BoundaryTarget> targets;
   Kind kind = Kind::value;
-  /// By key: `flux`; `coefficient`, `ambient`; `a`, `b`, `c`; of `value`, by unknown: unknowns that
-  /// are left out are free. They may use `n.x`, …: see `normal_scope`.
+  /// By key: `flux`; `coefficient`, `ambient`; `a`, `b`, `c`; of an oblique derivative
+  /// `direction.x`, … and `value`; of `value`, by unknown: unknowns that
+  /// are left out are free; of interpolation also `normal_derivative`, `second_normal_derivative`.
+  /// They may use `n.x`, …: see `normal_scope`.
   std::map<std::string, DeferredExpression> data;
   Enforcement enforcement = Enforcement::automatic;
   /// Values and normal derivatives of all unknowns vanish: kind `value`, without data.
   bool clamped = false;
+  int exponent = 0;  ///< of interpolation; 0: one more than the order that is prescribed
   int priority = 0;
   Place place;
 };

@@ -71,7 +71,8 @@ bool uses_forms(const ScalarProblem& problem) {
       !problem.coefficients().advection.empty() || depend_on_solution(problem.coefficients()))
     return true;
   return std::ranges::any_of(problem.conditions(), [](const PieceCondition& condition) {
-    return std::ranges::any_of(condition.data, has_symbols);
+    return condition.kind == Condition::Kind::oblique ||
+           std::ranges::any_of(condition.data, has_symbols);
   });
 }
 

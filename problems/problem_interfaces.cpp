@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "problems/interpolation.hpp"
 #include "problems/structure_options.hpp"
 
 namespace rfm {
@@ -13,6 +14,11 @@ ProblemInterfaces::ProblemInterfaces(const Problem& problem) {
   for (const InterfaceCondition& interface : inner.interfaces) add_boundary_of(interface.region);
   for (const SetValue& value : inner.values)
     if (value.where.surface) levels_.emplace_back(*value.where.surface, problem.dimension);
+  if (problem.physics.type == PhysicsType::interpolation)
+    for (const InterpolationDatum& datum : inner_interpolation_data(problem)) {
+      if (datum.region) add_boundary_of(*datum.region);
+      if (datum.surface) levels_.emplace_back(*datum.surface, problem.dimension);
+    }
   for (const Probe& probe : problem.probes)
     if (probe.region) add_boundary_of(*probe.region);
   for (const Probe& probe : problem.probes)

@@ -62,7 +62,7 @@ void read_contents(ValueReader& values, Problem& problem) {
   problem.physics.unknowns = unknown_names(root, values);
   const DocumentNode* physics = values.find(root, "physics");
   const DocumentNode* type = physics ? values.find(*physics, "type") : nullptr;
-  const bool has_flux = !type || type->text != "custom";
+  const bool has_flux = !type || (type->text != "custom" && type->text != "interpolation");
   values.results = stand_in_results(problem.physics.unknowns, has_flux, problem.dimension);
   define_common_names(values, std::filesystem::path(problem.file).parent_path().string());
   DefinitionReader definitions(root, values, problem);

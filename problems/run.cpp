@@ -28,26 +28,30 @@ std::string json_text(const nlohmann::ordered_json& summary) {
 }
 
 // The structure as text; what is very long stands whole in the summary.
-void log_line_of_structure(RunLog& log, const std::optional<std::string>& line) {
+void log_line_of_structure(RunLog& log, std::string_view name,
+                           const std::optional<std::string>& line) {
   constexpr std::size_t longest = 1000;
   if (!line)
     log.line("  it cannot be written as one line");
   else if (line->size() <= longest)
-    log.line("  discretization.structure: {}", *line);
+    log.line("  {}: {}", name, *line);
   else
-    log.line("  discretization.structure: {}... (the whole stands in summary.json)",
-             line->substr(0, longest / 2));
+    log.line("  {}: {}... (the whole stands in summary.json)", name, line->substr(0, longest / 2));
 }
 
 void log_structure(RunLog& log, const std::string& unknown, const DirichletPlan& plan,
                    const std::optional<std::string>& line) {
   if (!plan.own_structure.empty())
     log.line("structure: {} = {}", unknown, plan.own_structure);
+  else if (plan.interpolated_sets > 0)
+    log.line("{} interpolates the data of {} sets", unknown, plan.interpolated_sets);
   else if (!plan.by_structure.empty())
     log.line("structure: {} = g + omega psi, omega = {}", unknown, plan.weight.formula);
   else
     log.line("structure: {} = psi", unknown);
-  if (plan.own_structure.empty()) log_line_of_structure(log, line);
+  if (plan.own_structure.empty())
+    log_line_of_structure(log, plan.interpolated_sets > 0 ? unknown : "discretization.structure",
+                          line);
   if (plan.data_sets.size() > 1)
     for (const auto& set : plan.data_sets)
       log.line("  g takes the data of {} where {} = 0", set.pieces, set.distance);
@@ -119,6 +123,10 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   if (solution.eigen) {
     log_eigenvalues(log, *solution.eigen, problem.problem().study);
     log.line("boundary residual of the modes, of unit mass: {:.1e}", solution.boundary_residual);
+    return;
+  }
+  if (problem.problem().physics.type == PhysicsType::interpolation) {
+    log.line("values are missed by {:.1e}", solution.boundary_residual);
     return;
   }
   if (solution.linearity == Linearity::by_value)

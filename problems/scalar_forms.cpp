@@ -3,9 +3,26 @@
 namespace rfm {
 namespace {
 
-// q(u) of n·K∇u = q.
+Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
+  Field sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + product_or_nothing(a[i], b[i]);
+  return sum;
+}
+
+std::vector<Field> direction_of(const PieceCondition& condition) {
+  return {condition.data.begin() + 1, condition.data.end()};
+}
+
+// l·∇u − c.
+Field oblique_residual(const PieceCondition& condition, const Field& u) {
+  const std::vector<Field> direction = direction_of(condition);
+  return dot(direction, gradient(u, static_cast<int>(direction.size()))) - condition.data[0];
+}
+
+// q(u) of n·K∇u = q. Of an oblique derivative the part of n·K∇u that it leaves free, which has no
+// derivative along n.
 Field natural_flux(const PieceCondition& condition, const ScalarCoefficients& coefficients,
-                   const Field& u) {
+                   const std::vector<Field>& normal, const Field& u) {
   const std::vector<Field>& data = condition.data;
   switch (condition.kind) {
     case Condition::Kind::flux:
@@ -14,16 +31,15 @@ Field natural_flux(const PieceCondition& condition, const ScalarCoefficients& co
       return data[0] * (data[1] - u);
     case Condition::Kind::robin:
       return coefficients.conductivity[0] * (data[2] - data[0] * u) / data[1];
+    case Condition::Kind::oblique:
+      return dot(conductive_flux(coefficients, u, static_cast<int>(normal.size())), normal) -
+             normal_conductivity(coefficients, normal) / dot(direction_of(condition), normal) *
+                 oblique_residual(condition, u);
     case Condition::Kind::value:
+    case Condition::Kind::slope:
       break;
   }
   return 0.0;
-}
-
-Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
-  Field sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + product_or_nothing(a[i], b[i]);
-  return sum;
 }
 
 // a·∇u + reaction u − source.
@@ -42,8 +58,10 @@ FormPlace form_place(const PieceCondition& condition) {
 
 Field natural_residual(const PieceCondition& condition, const ScalarCoefficients& coefficients,
                        const std::vector<Field>& normal, const Field& u) {
+  if (condition.kind == Condition::Kind::oblique)
+    return normal_conductivity(coefficients, normal) * oblique_residual(condition, u);
   return dot(conductive_flux(coefficients, u, static_cast<int>(normal.size())), normal) -
-         natural_flux(condition, coefficients, u);
+         natural_flux(condition, coefficients, normal, u);
 }
 
 Field normal_conductivity(const ScalarCoefficients& coefficients,
@@ -77,7 +95,7 @@ std::vector<Form> natural_forms(const PieceCondition& condition,
   if (least_squares)
     return {Form::least_squares({natural_residual(condition, coefficients, normal, u)}, {1 / h},
                                 form_place(condition))};
-  const Field flux = natural_flux(condition, coefficients, u);
+  const Field flux = natural_flux(condition, coefficients, normal, u);
   if (flux.is_constant(0)) return {};
   return {Form::weak(-flux * test_symbol(0, dimension), form_place(condition))};
 }

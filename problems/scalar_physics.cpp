@@ -92,6 +92,7 @@ ScalarCoefficients scalar_coefficients(const Problem& problem) {
         coefficients.conductivity[i * problem.dimension + i] = 1.0;
       coefficients.source = 2.0 * scalar("modulus") * scalar("twist");
       break;
+    case PhysicsType::interpolation:
     case PhysicsType::custom:
       break;
   }
@@ -154,6 +155,8 @@ std::vector<Contribution> natural_energy(const PieceCondition& condition,
       break;
     }
     case Condition::Kind::value:
+    case Condition::Kind::slope:
+    case Condition::Kind::oblique:  // follows from no energy
       return {};
   }
   return {on_piece(std::move(energy), condition)};

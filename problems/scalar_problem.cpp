@@ -120,9 +120,14 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   check_regions_are_defined(problem, region_, probe);
   conditions_ = piece_conditions(problem, region_, bounding_primitives_, probe);
   check_within_grid(probe);
+  if (interpolates()) {
+    plan_interpolation();
+    return;
+  }
   check_parts(problem, region_, bounding_primitives_, probe);
   check_materials(problem, probe);
   if (!problem.physics.custom && !is_isotropic(coefficients_, problem.dimension)) check_no_robin();
+  check_directions(probe);
   plan_values(probe);
   irregularities_ = rfm::irregularities(region_, bounds_);
 }
@@ -160,6 +165,7 @@ bool ScalarProblem::has_global_functions() const {
 void ScalarProblem::check_equations() const {
   using Method = Discretization::Method;
   const Method method = problem_.discretization.method;
+  if (interpolates()) return;
   if (problem_.physics.custom && problem_.physics.coefficients.contains("mass") &&
       !has_global_functions() && method == Method::ritz)
     return;  // whether its energy is quadratic, its forms tell

@@ -119,6 +119,8 @@ class ScalarProblem {
 
  private:
   void plan_values(const DomainRule& probe);
+  bool interpolates() const { return problem_.physics.type == PhysicsType::interpolation; }
+  void plan_interpolation();
   void plan_own_structures(const std::vector<UserStructure>& own, const DomainRule& probe);
   void require_natural(const DomainRule& probe) const;
   DirichletPlan automatic_plan(int component, const DomainRule& probe,
@@ -162,6 +164,7 @@ class ScalarProblem {
   void check_no_robin() const;
   void check_torsion(const DomainRule& rule) const;
   void check_equations() const;
+  void check_directions(const DomainRule& rule) const;
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
                        const ScalarSolution& solution) const;

@@ -125,6 +125,13 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
         "{:.2g} in the divergence theorem; use more cells",
         solution.rule.measure(), solution.rule.report().divergence_defect));
 
+  if (interpolates()) {
+    solution.results.dimension = problem_.dimension;
+    solution.results.unknowns = {{problem_.physics.unknowns[0], plans_[0].data}};
+    solution.boundary_residual = boundary_residual(solution);
+    require_values(plans_, solution);
+    return solution;
+  }
   if (problem_.study.type == Study::Type::eigen || has_global_functions()) {
     solve_equations(solution);
     return solution;

@@ -8,6 +8,7 @@
 #include "core/regular_form.hpp"
 #include "problems/function_support.hpp"
 #include "problems/inner_structure.hpp"
+#include "problems/interpolation.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/remainder_option.hpp"
 #include "problems/scalar_problem.hpp"
@@ -95,6 +96,17 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
                          deviation_text(*deviation, problem_.dimension)),
              value.place);
   }
+}
+
+void ScalarProblem::plan_interpolation() {
+  const Interpolation result = interpolation(problem_, conditions_, region_, bounds_);
+  structures_.push_back(result.structure);
+  DirichletPlan& plan = plans_.emplace_back();
+  plan.given = structures_[0];
+  plan.data = plan.given.inhomogeneous();
+  plan.interpolated_sets = result.sets;
+  for (const PieceCondition& piece : conditions_)
+    if (piece.kind == Condition::Kind::value) plan.by_structure.push_back(piece);
 }
 
 void ScalarProblem::add_singular_functions(const DomainRule& probe, int& functions) {

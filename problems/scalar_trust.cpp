@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/boundary_piece.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
 #include "problems/scalar_problem.hpp"
@@ -24,8 +25,37 @@ bool ScalarProblem::fixed_up_to_constant() const {
   return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
     if (condition.kind == Condition::Kind::flux) return true;
     if (condition.kind == Condition::Kind::value) return false;
-    return condition.data[0].is_constant(0);  // no transfer, or a = 0
+    if (condition.kind == Condition::Kind::oblique) return false;  // its kernel is looked for
+    return condition.data[0].is_constant(0);                       // no transfer, or a = 0
   });
+}
+
+// Where a direction is along the boundary it says nothing of the flux, so that there is no weak
+// form.
+void ScalarProblem::check_directions(const DomainRule& rule) const {
+  using Method = Discretization::Method;
+  const Method method = problem_.discretization.method;
+  if (method == Method::least_squares || method == Method::collocation) return;
+  for (const PieceCondition& condition : conditions_) {
+    if (condition.kind != Condition::Kind::oblique ||
+        condition.enforcement == Condition::Enforcement::structure)
+      continue;
+    const std::vector<Field> normal = outward_normal(condition.primitive, region_);
+    Field along = 0.0, square = 0.0;
+    for (int axis = 0; axis < problem_.dimension; ++axis) {
+      along = along + condition.data[axis + 1] * normal[axis];
+      square = square + pow(condition.data[axis + 1], 2);
+    }
+    constexpr double least = 1e-3;
+    const Field tangential = step(least * least * square - along * along);
+    if (maximum(condition.where ? tangential * step(*condition.where) : tangential, rule,
+                {Contribution::Place::boundary, {condition.primitive}}) > 0)
+      throw ProblemFileErrors({Mistake{
+          fmt::format("the derivative at '{}' is one along the boundary: by least squares or "
+                      "collocation only (discretization.method)",
+                      condition.name),
+          problem_.conditions[condition.condition].place}});
+  }
 }
 
 void ScalarProblem::check_compatible(const DomainRule& rule) const {

@@ -46,7 +46,8 @@ struct Presence {
   /// Value of a key that is left out, as YAML; of alternatives (exactly one must be given), the one
   /// that is taken when none is.
   std::string_view standard = {};
-  /// The key is not needed, and gets no default, where this sibling is given.
+  /// The key is not needed, and gets no default, where this sibling is given. Of an alternative:
+  /// it may stand beside this one.
   std::string_view unless = {};
 };
 

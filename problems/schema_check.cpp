@@ -293,7 +293,7 @@ class StructureCheck {
       const bool has_other = !unless.empty() && node.find(unless);
       if (child.presence.kind == Presence::Kind::alternative) {
         has_alternatives = true;
-        if (is_given) alternatives.push_back(&*given);
+        if (is_given && !has_other) alternatives.push_back(&*given);
       } else if (child.presence.kind == Presence::Kind::required) {
         if (!is_given && !has_other && !taken_for.contains(child.name))
           mistakes_.add("missing key '" + child.name + "'" + in, owner);

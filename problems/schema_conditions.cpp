@@ -6,6 +6,8 @@ namespace rfm {
 namespace {
 
 constexpr Status later = Status::later;
+/// One of the alternatives, unless there is a value.
+constexpr Presence beside_value{Presence::Kind::alternative, {}, "value"};
 constexpr unsigned components = expression_value | list_value;
 
 constexpr auto rows = std::to_array<SchemaRow>({
@@ -80,14 +82,23 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"conditions[].slip", boolean_value, alternative, "A fluid that slides along a wall.", later},
     {"conditions[].outflow", boolean_value, alternative, "A fluid that leaves freely.", later},
     {"conditions[].outgoing", boolean_value, alternative, "Waves leave and none enter.", later},
-    {"conditions[].normal_derivative", expression_value, alternative,
-     "du/dn = normal_derivative, n the outward normal, whatever the conductivity."},
-    {"conditions[].second_normal_derivative", expression_value, alternative,
-     "The second outward normal derivative.", later},
-    {"conditions[].tangential", expression_value, alternative, "The derivative along the boundary.",
-     later},
-    {"conditions[].oblique", map_value, alternative, "The derivative in a direction.", later},
+    {"conditions[].normal_derivative", expression_value, beside_value,
+     "du/dn, n the outward normal; of interpolation beside a value, or alone: on a curve or "
+     "surface inside the domain n points to where its formula falls."},
+    {"conditions[].second_normal_derivative", expression_value, optional,
+     "Of interpolation: the second derivative along the outward normal."},
+    {"conditions[].exponent", integer_value, optional,
+     "Of interpolation: how flat u is next to this set; without it, one more than the order of the "
+     "highest derivative.",
+     Status::works, between(1, 16)},
+    {"conditions[].tangential", expression_value, alternative,
+     "In the plane: the derivative along the boundary, counter-clockwise about the domain; by "
+     "least "
+     "squares or collocation."},
+    {"conditions[].oblique", map_value, alternative,
+     "The derivative in a direction, which is no unit vector unless it is given as one."},
     {"conditions[].oblique.direction", list_value, required, "The direction."},
+    {"conditions[].oblique.direction[]", expression_value, required, "A component."},
     {"conditions[].oblique.value", expression_value, required, "The derivative."},
     {"conditions[].periodic", map_value, alternative, "The same values as at another region.",
      later},

@@ -75,7 +75,10 @@ Json map_schema(const SchemaKey& key) {
     if (child.presence.kind == Presence::Kind::required && is_unconditional)
       needed.push_back(child.name);
     if (child.presence.kind != Presence::Kind::alternative) continue;
-    alternatives.push_back({{"required", Json::array({child.name})}});
+    Json alternative = {{"required", Json::array({child.name})}};
+    if (!child.presence.unless.empty())
+      alternative["not"] = {{"required", Json::array({std::string(child.presence.unless)})}};
+    alternatives.push_back(std::move(alternative));
     has_standard_alternative |= !child.presence.standard.empty();
   }
   Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};

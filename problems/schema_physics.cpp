@@ -30,7 +30,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"physics.type=stokes", word_value, optional, "Slow viscous flow.", later},
     {"physics.type=navier_stokes", word_value, optional, "Viscous flow.", later},
     {"physics.type=interpolation", word_value, optional,
-     "Transfinite interpolation of the conditions, no equation.", later},
+     "Transfinite interpolation of the conditions, no equation."},
     {"physics.type=custom", word_value, optional, "An energy, residuals or a weak form."},
 
     {"physics.diffusivity", formula | matrix_value, standard("1"),

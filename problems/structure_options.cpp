@@ -11,7 +11,9 @@ namespace {
 class OptionsReader {
  public:
   explicit OptionsReader(const Problem& problem) : problem_(problem) {
-    if (const DocumentNode* conditions = problem.document.find("conditions"))
+    const bool interpolates = problem.physics.type == PhysicsType::interpolation;
+    if (const DocumentNode* conditions = problem.document.find("conditions");
+        conditions && !interpolates)  // interpolation.hpp reads those
       for (const DocumentNode& item : conditions->items) read_condition(item);
     if (const DocumentNode* enrich = problem.document.find("enrich"))
       for (const DocumentNode& item : enrich->items) read_enrichment(item);

@@ -19,7 +19,7 @@ TEST(ExplainKey, TellsWhatTheTableKnows) {
             "  presence: required\n");
   EXPECT_THAT(explain_key("discretization.basis.cells"), HasSubstr("default: 64"));
   EXPECT_THAT(explain_key("physics.type"),
-              HasSubstr("words: poisson, heat, torsion, membrane, custom\n"));
+              HasSubstr("words: poisson, heat, torsion, membrane, interpolation, custom\n"));
   EXPECT_THAT(explain_key("physics.conductivity"), HasSubstr("goes with: heat"));
   EXPECT_THAT(explain_key("geometry.shapes.blend"), HasSubstr("(not supported yet)"));
 }
@@ -114,6 +114,7 @@ TEST(JsonSchema, DescribesWhatIsSupportedAndNothingElse) {
   EXPECT_EQ(shape["oneOf"].size(), shape["properties"].size());
   const auto& type = schema["properties"]["physics"]["properties"]["type"];
   EXPECT_EQ(type["enum"],
-            nlohmann::json::parse(R"(["poisson", "heat", "torsion", "membrane", "custom"])"));
+            nlohmann::json::parse(
+                R"(["poisson", "heat", "torsion", "membrane", "interpolation", "custom"])"));
   EXPECT_EQ(schema["properties"]["dimension"]["enum"], nlohmann::json::parse("[1, 2, 3]"));
 }
