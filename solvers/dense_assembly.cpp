@@ -94,7 +94,8 @@ class DenseIntegrator {
       const Eigen::MatrixXd weighted =
           slots[row] * Array(values_.stiffness(static_cast<int>(e)), count).matrix().asDiagonal();
       sums_.matrix.noalias() += weighted * slots[column].transpose();
-      if (row != column) sums_.matrix.noalias() += slots[column] * weighted.transpose();
+      if (integrand_.stiffness()[e].mirrored && row != column)
+        sums_.matrix.noalias() += slots[column] * weighted.transpose();
     }
     if (values_.has_load())
       for (std::size_t m = 0; m < basis.size(); ++m) {
@@ -143,8 +144,6 @@ LinearSystem assemble_dense(std::span<const Structure> structures, const GlobalS
   std::vector<CompiledIntegrand> integrands;
   integrands.reserve(contributions.size());
   for (const Contribution& contribution : contributions) {
-    if (!contribution.couplings.empty())
-      throw InvalidArgument("functions of the whole domain need equations with an energy");
     integrands.emplace_back(contribution, structures, rule.dimension());
     for (const auto& [unknown, derivative] : integrands.back().basis_derivatives())
       if (unknown < 0 || unknown >= static_cast<int>(spaces.size()))
@@ -165,6 +164,8 @@ LinearSystem assemble_dense(std::span<const Structure> structures, const GlobalS
           .integrate(end_of(part), end_of(part + 1));
   });
   LinearSystem system;
+  system.symmetric = std::ranges::all_of(
+      contributions, [](const Contribution& part) { return part.couplings.empty(); });
   CompensatedSum constant;
   constant.add(parts[0].constant.value());
   for (int part = 1; part < part_count; ++part) {
@@ -172,7 +173,8 @@ LinearSystem assemble_dense(std::span<const Structure> structures, const GlobalS
     parts[0].right_hand_side += parts[part].right_hand_side;
     constant.add(parts[part].constant.value());
   }
-  system.matrix = lower_triangle(parts[0].matrix);
+  system.matrix = system.symmetric ? lower_triangle(parts[0].matrix)
+                                   : SparseMatrix(parts[0].matrix.sparseView());
   system.right_hand_side = std::move(parts[0].right_hand_side);
   system.constant = constant.value();
   return system;

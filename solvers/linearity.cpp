@@ -205,4 +205,9 @@ double departure_from_linear(const LinearSystem& system, const Eigen::VectorXd& 
   return departure == 0 ? 0 : departure / size;
 }
 
+bool is_linear_at(const LinearSystem& system, const Eigen::VectorXd& coefficients,
+                  const Eigen::VectorXd& residual) {
+  return departure_from_linear(system, coefficients, residual) <= precision;
+}
+
 }  // namespace rfm

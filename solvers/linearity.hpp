@@ -30,5 +30,8 @@ Linearity linearity(std::span<const Form> forms, const DomainRule& rule);
 /// scaled by those of K. Rounding if the problem is linear where c is.
 double departure_from_linear(const LinearSystem& system, const Eigen::VectorXd& coefficients,
                              const Eigen::VectorXd& residual);
+/// Whether that is rounding.
+bool is_linear_at(const LinearSystem& system, const Eigen::VectorXd& coefficients,
+                  const Eigen::VectorXd& residual);
 
 }  // namespace rfm

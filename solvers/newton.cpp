@@ -27,55 +27,24 @@ constexpr double small_step = 1e-6;
 
 class Newton {
  public:
-  Newton(std::span<const Structure> structures, std::span<const TensorProductSpace> spaces,
-         std::span<const Form> forms, const DomainRule& rule,
-         const LinearSolverOptions& linear_options, const NewtonOptions& options,
-         const FieldArguments& arguments)
-      : structures_(structures),
-        spaces_(spaces),
-        forms_(forms),
-        rule_(rule),
-        linear_options_(linear_options),
-        options_(options),
-        arguments_(arguments),
-        candidates_(reduced(FreeFunctions(structures, spaces).coefficients())) {
-    for (const Structure& structure : structures) changes_.push_back(homogeneous_part(structure));
-  }
+  Newton(const NewtonEquations& equations, const LinearSolverOptions& linear_options,
+         const NewtonOptions& options)
+      : equations_(equations), linear_options_(linear_options), options_(options) {}
 
   NewtonSolution solve(const Vector& start) {
-    coefficients_ = reduced(start);
-    system_ = assembled(coefficients_);
+    coefficients_ = start;
+    system_ = equations_.at(coefficients_);
     set_scale();
     const Vector first_residual = system_.right_hand_side;
     for (int step = 1; step <= options_.load_steps; ++step) {
       remaining_ = (1 - double(step) / options_.load_steps) * first_residual;
       iterate();
     }
-    solution_.linear.coefficients = all(coefficients_);
+    solution_.linear.coefficients = coefficients_;
     return std::move(solution_);
   }
 
  private:
-  // Coefficients of extended splines, if there are such, and of all.
-  Eigen::MatrixXd reduced(const Eigen::MatrixXd& coefficients) const {
-    return options_.extension ? options_.extension->reduced(coefficients) : coefficients;
-  }
-  Vector all(const Vector& coefficients) const {
-    return options_.extension ? Vector(options_.extension->matrix * coefficients) : coefficients;
-  }
-
-  // Tangent, and minus the residual, at a state.
-  LinearSystem assembled(const Vector& coefficients) const {
-    return assembled(coefficients, rule_);
-  }
-  LinearSystem assembled(const Vector& coefficients, const DomainRule& rule) const {
-    const std::vector<Field> fields = solution_fields(structures_, spaces_, all(coefficients));
-    std::vector<Contribution> contributions;
-    for (const Form& form : forms_) contributions.push_back(form.linearized(fields));
-    LinearSystem system = assemble(changes_, spaces_, contributions, rule, arguments_);
-    return options_.extension ? options_.extension->extended(system) : system;
-  }
-
   void set_scale() {
     if (system_.symmetric) {
       row_scale_ = column_scale_ = DiagonalScaling(system_.matrix).factors;
@@ -116,11 +85,7 @@ class Newton {
     LinearSystem system = system_;
     system.right_hand_side -= remaining_;
     try {
-      std::function<LinearSystem()> finer;
-      if (options_.finer_rule)
-        finer = [&] { return assembled(coefficients_, options_.finer_rule()); };
-      const Kernel kernel(system, candidates_, finer);
-      solution_.linear = rfm::solve(kernel.pinned(std::move(system)), linear_options_);
+      solution_.linear = rfm::solve(beside_kernel(std::move(system)), linear_options_);
     } catch (const ComputationError& error) {
       fail(error.what());
     }
@@ -128,12 +93,21 @@ class Newton {
     return solution_.linear.coefficients;
   }
 
+  // What the equations leave free is pinned.
+  LinearSystem beside_kernel(LinearSystem system) const {
+    if (equations_.candidates.cols() == 0) return system;
+    std::function<LinearSystem()> finer;
+    if (equations_.finer) finer = [&] { return equations_.finer(coefficients_); };
+    const Kernel kernel(system, equations_.candidates, finer);
+    return kernel.pinned(std::move(system));
+  }
+
   void advance(const Vector& step, NewtonIteration& iteration) {
     std::string cause;
     for (double damping = 1; damping >= options_.smallest_damping; damping /= 2) {
       const Vector next = coefficients_ + damping * step;
       try {
-        LinearSystem system = assembled(next);
+        LinearSystem system = equations_.at(next);
         const double residual = residual_of(system);
         const bool falls = residual <= (1 - 0.25 * damping) * iteration.residual ||
                            (damping == 1 && iteration.step < small_step);
@@ -162,15 +136,9 @@ class Newton {
     throw ComputationError(text + "). A better start, load steps or a finer grid may help");
   }
 
-  std::span<const Structure> structures_;
-  std::span<const TensorProductSpace> spaces_;
-  std::span<const Form> forms_;
-  const DomainRule& rule_;
+  const NewtonEquations& equations_;
   LinearSolverOptions linear_options_;
   NewtonOptions options_;
-  FieldArguments arguments_;
-  Eigen::MatrixXd candidates_;  // for what equations leave free: the level of a pressure
-  std::vector<Structure> changes_;
   Vector coefficients_, row_scale_, column_scale_, remaining_;
   LinearSystem system_;
   NewtonSolution solution_;
@@ -190,16 +158,50 @@ std::optional<double> NewtonSolution::order() const {
   return std::log(last[2] / last[1]) / std::log(last[1] / last[0]);
 }
 
+NewtonSolution solve_newton(const NewtonEquations& equations, const Vector& start,
+                            const LinearSolverOptions& linear_options,
+                            const NewtonOptions& options) {
+  if (options.load_steps < 1) throw InvalidArgument("there is at least one load step");
+  return Newton(equations, linear_options, options).solve(start);
+}
+
 NewtonSolution solve_newton(std::span<const Structure> structures,
                             std::span<const TensorProductSpace> spaces, std::span<const Form> forms,
                             const DomainRule& rule, const LinearSolverOptions& linear_options,
                             const NewtonOptions& options, const std::optional<Vector>& start,
                             const FieldArguments& arguments) {
-  if (options.load_steps < 1) throw InvalidArgument("there is at least one load step");
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  const SplineExtension* extension = options.extension;
+  // Coefficients of all splines, from those of extended ones if there are such.
+  const auto all = [&](const Vector& coefficients) {
+    return extension ? Vector(extension->matrix * coefficients) : coefficients;
+  };
+  const auto assembled = [&](const Vector& coefficients, const DomainRule& points) {
+    const std::vector<Field> fields = solution_fields(structures, spaces, all(coefficients));
+    std::vector<Contribution> contributions;
+    for (const Form& form : forms) contributions.push_back(form.linearized(fields));
+    LinearSystem system = assemble(changes, spaces, contributions, points, arguments);
+    return extension ? extension->extended(system) : system;
+  };
+  NewtonEquations equations;
+  equations.at = [&](const Vector& coefficients) { return assembled(coefficients, rule); };
+  if (options.finer_rule)
+    equations.finer = [&](const Vector& coefficients) {
+      return assembled(coefficients, options.finer_rule());
+    };
+  // For what equations leave free: the level of a pressure.
+  equations.candidates = FreeFunctions(structures, spaces).coefficients();
   Eigen::Index size = 0;
   for (const TensorProductSpace& space : spaces) size += space.size();
-  Newton newton(structures, spaces, forms, rule, linear_options, options, arguments);
-  return newton.solve(start.value_or(Vector::Zero(size)));
+  Vector first = start.value_or(Vector::Zero(size));
+  if (extension) {
+    equations.candidates = extension->reduced(equations.candidates);
+    first = extension->reduced(first);
+  }
+  NewtonSolution solution = solve_newton(equations, first, linear_options, options);
+  solution.linear.coefficients = all(solution.linear.coefficients);
+  return solution;
 }
 
 }  // namespace rfm

@@ -30,10 +30,10 @@ struct NewtonOptions {
   /// Of collocation: the forms are linear by their values (solvers/linearity.hpp), so that one step
   /// is the solution if the residuals behind it are those that the step foretells.
   bool looks_linear = false;
-  /// Extended splines, in which the solution is looked for; it must outlive the call.
+  /// Of forms: extended splines, in which the solution is looked for; it must outlive the call.
   const SplineExtension* extension = nullptr;
-  /// The rule with more points, by which `Kernel` tells errors of quadrature from what holds a
-  /// function softly.
+  /// Of forms: the rule with more points, by which `Kernel` tells errors of quadrature from what
+  /// holds a function softly.
   std::function<DomainRule()> finer_rule{};
 };
 
@@ -54,6 +54,21 @@ struct NewtonSolution {
   /// there are three above rounding: 2 for Newton's method.
   std::optional<double> order() const;
 };
+
+/// Equations R(c) = 0, as their linearisation at any c.
+struct NewtonEquations {
+  /// The tangent, and minus the residual, at c.
+  std::function<LinearSystem(const Eigen::VectorXd&)> at;
+  /// The same with a rule of more points, for `Kernel`; may be empty.
+  std::function<LinearSystem(const Eigen::VectorXd&)> finer{};
+  /// What the equations may leave free, as columns of coefficients: candidates of `Kernel`.
+  Eigen::MatrixXd candidates{};
+};
+
+/// Newton's method from `start`, as that for forms below.
+NewtonSolution solve_newton(const NewtonEquations& equations, const Eigen::VectorXd& start,
+                            const LinearSolverOptions& linear_options = {},
+                            const NewtonOptions& options = {});
 
 /// Newton's method for the equations of `forms`: at each state their tangent and residual are
 /// assembled, the linear system solved, and the step shortened until the residual falls. Starts at

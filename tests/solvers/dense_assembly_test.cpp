@@ -6,6 +6,8 @@
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "solvers/equations.hpp"
+#include "solvers/form.hpp"
+#include "solvers/newton.hpp"
 #include "tests/solvers/sample_problems.hpp"
 
 namespace rfm {
@@ -39,6 +41,59 @@ TEST(DenseAssembly, SolvesInTheSpanOfPolynomialsAsSplinesOfOneCellDo) {
     return equations.steady().energy(solve(equations.steady()).coefficients);
   };
   EXPECT_NEAR(energy(splines), energy(polynomials), 1e-12);
+}
+
+TEST(DenseAssembly, OfWeakFormsIsThatOfSplinesOfOneCell) {
+  const Grid grid({2, {-0.9, -0.2}, {1.3, 1.3}}, {1, 1, 1});
+  const DomainRule rule = rule_for(triangle(), grid, 12);
+  const std::vector<Structure> structures{sin(x) +
+                                          (x + 1.1) * (1.5 - y) * Structure::undetermined()};
+  const Field u = unknown_symbol(0, 2), v = test_symbol(0, 2);
+  const Contribution part =
+      Form::weak(partial(u, 0) * partial(v, 0) + partial(u, 1) * partial(v, 1) +
+                 5.0 * y * partial(u, 0) * v + u * v - exp(y) * v)
+          .linear();
+  const auto solved = [&](const Equations& equations) {
+    EXPECT_FALSE(equations.steady().symmetric);
+    return equations.fields(solve(equations.steady()).coefficients)[0];
+  };
+  const EquationTerms terms{.stiffness = {part}};
+  const GlobalSpaces polynomials{std::make_shared<TensorPolynomials>(
+      grid.box(), PolynomialFamily{PolynomialFamily::Kind::legendre, 3, false})};
+  const Field a = solved(Equations(structures, {TensorProductSpace(grid, 3)}, terms, rule));
+  const Field b = solved(Equations(structures, polynomials, terms, rule));
+  EXPECT_LT(norms(a - b, rule).h1_seminorm, 1e-8);
+}
+
+// −∇·((1 + u²) ∇u) = f on the unit disk, by Newton's method over the equations as they are.
+TEST(DenseAssembly, ServesNewtonsMethod) {
+  const Field exact = sin(2.0 * x + y) + 0.5 * x * y, omega = 1.0 - x * x - y * y;
+  const Field u = unknown_symbol(0, 2), v = test_symbol(0, 2);
+  Field f = 0.0, flux = 0.0;
+  for (const int axis : {0, 1}) {
+    f = f - partial((1.0 + exact * exact) * partial(exact, axis), axis);
+    flux = flux + partial(u, axis) * partial(v, axis);
+  }
+  const Form form = Form::weak((1.0 + u * u) * flux - f * v);
+  const DomainRule rule = rule_for(circle({0, 0}, 1), Grid({2, {-1, -1}, {1, 1}}, {8, 8, 1}), 7);
+  const auto solved = [&](int degree) {
+    const GlobalSpaces spaces{std::make_shared<TensorPolynomials>(
+        rule.grid().box(), PolynomialFamily{PolynomialFamily::Kind::legendre, degree, true})};
+    const Equations whole({exact + omega * cos(x - y) + omega * Structure::undetermined()}, spaces,
+                          {}, rule);
+    const std::vector<Structure> changes{homogeneous_part(whole.structures()[0])};
+    NewtonEquations equations;
+    equations.at = [&](const Eigen::VectorXd& state) {
+      const Contribution part = form.linearized(whole.fields(state));
+      return assemble_dense(changes, spaces, std::span(&part, 1), rule);
+    };
+    const NewtonSolution solution = solve_newton(equations, Eigen::VectorXd::Zero(whole.size()));
+    EXPECT_NEAR(solution.order().value_or(0), 2, 0.45);  // of the last three steps
+    return norms(whole.fields(solution.linear.coefficients)[0] - exact, rule).l2;
+  };
+  const double sixth = solved(6), twelfth = solved(12);
+  EXPECT_LT(twelfth, 1e-8);
+  EXPECT_GT(sixth / twelfth, 1e3);
 }
 
 // A space of the user's own: the functions of one harmonic problem.
