@@ -166,7 +166,9 @@ double polished(const RegionEvaluator& region, const Box& extreme, int axis, dou
   around.high[axis] += reach;
   std::vector<int> near;
   for (int k = 0; k < region.primitive_count(); ++k)
-    if (!region.level(k).value_bounds(around).excludes_zero()) near.push_back(k);
+    if (!region.region().primitives()[k]->selects_only &&  // else it bounds nothing
+        !region.level(k).value_bounds(around).excludes_zero())
+      near.push_back(k);
   std::optional<double> best;
   const auto offer = [&](const Point& point) {
     const double distance = std::fabs(point[axis] - side);

@@ -8,28 +8,95 @@
 namespace rfm {
 namespace {
 
-constexpr double rounding = 1e-9;  // of directions: below it they are parallel
 constexpr int most_rounds = 12;
 
-int sign_of(double sine) { return sine > rounding ? 1 : sine < -rounding ? -1 : 0; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-bool is_inflection(const CurvePiece& before, const CurvePiece& after) {
-  return before.turn * after.turn < 0 &&
-         sign_of(cross(before.end_direction(), after.start_direction())) == 0;
+double length(const CurvePiece& piece) {
+  return std::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
 }
 
-// Whether the chords at a corner turn as the curves do, and each curve lies on the right side of
-// the chord of the other.
-bool is_consistent(const CurvePiece& before, const CurvePiece& after) {
-  if (is_inflection(before, after)) return true;  // the tangent stands between them
-  const int turn = sign_of(cross(before.chord(), after.chord()));
-  if (turn == 0) return false;
-  const int of_before = sign_of(cross(before.end_direction(), after.chord()));
-  const int of_after = sign_of(cross(before.chord(), after.start_direction()));
-  // Along the chord itself curvature decides.
-  return (of_before == 0 ? before.turn : of_before) == turn &&
-         (of_after == 0 ? after.turn : of_after) == turn;
-}
+// How the contour turns where one piece follows another.
+class Corner {
+ public:
+  Corner(const CurvePiece& before, const CurvePiece& after) : before_(before), after_(after) {
+    sine_ = cross(before.end_direction(), after.start_direction());
+    const bool ahead = dot(before.end_direction(), after.start_direction()) > 0;
+    is_gentle_ = ahead && std::fabs(sine_) < 0.05;
+    turn_ = sine_ > 0 ? 1 : -1;
+    if (ahead && std::fabs(sine_) <= negligible()) turn_ = 0;
+  }
+
+  // Whether the chords turn as the curves do, and each curve lies on the right side of the chord of
+  // the other.
+  bool chords_suffice() const {
+    if (before_.is_straight() && after_.is_straight()) return true;
+    const double turns = cross(before_.chord(), after_.chord());
+    const int chords = turns > 0 ? 1 : turns < 0 ? -1 : 0;
+    const int one = before_.turn, other = after_.turn;
+    if (turn_ == 0 && one * other >= 0) return chords == (one != 0 ? one : other);
+    const auto side = [](double sine, int of_curve) {  // along the chord curvature decides
+      return std::fabs(sine) > 1e-9 ? (sine > 0 ? 1 : -1) : of_curve;
+    };
+    const int of_before = side(cross(before_.end_direction(), after_.chord()), one);
+    const int of_after = side(cross(before_.chord(), after_.start_direction()), other);
+    return std::fabs(turns) > 1e-9 && of_before == chords && of_after == chords;
+  }
+
+  // Whether chords and tangents can tell.
+  bool is_told() const { return chords_suffice() || is_gentle_; }
+
+  // Tangents between the pieces, and `next`, the second of them.
+  void add_links(std::vector<ContourLink>& links, const CurvePiece& next) const {
+    const int one = before_.turn, other = after_.turn;
+    if (chords_suffice()) {
+      const double turns = cross(before_.chord(), after_.chord());
+      const bool straight = one == 0 && other == 0;
+      links.push_back({next, false, straight ? 0 : turns > 0 ? 1 : -1});
+      return;
+    }
+    int turn = turn_;
+    if (one != 0 && turn_ != 0 && one != turn_)
+      links.push_back({tangent(before_.end_direction()), true, one});
+    else if (turn_ == 0)
+      turn = one;
+    if (other == turn_) {
+      links.push_back({next, false, turn});
+      return;
+    }
+    if (other != 0) {
+      links.push_back({tangent(after_.start_direction()), true, turn});
+      turn = other;
+    }
+    links.push_back({next, false, turn});
+  }
+
+ private:
+  // The sine below which a curve that starts on the wrong side of the tangent of the other is back
+  // before it has left by anything: by its square.
+  double negligible() const {
+    double opening = 1;  // between chords and tangents
+    for (const CurvePiece* piece : {&before_, &after_})
+      if (!piece->is_straight())
+        opening = std::min(opening, std::fabs(cross(piece->chord(), piece->start_direction())));
+    const double shortest = std::min(length(before_), length(after_));
+    const double rounding =
+        1e-13 + 4e-15 * (std::fabs(after_.from[0]) + std::fabs(after_.from[1])) / shortest;
+    return std::max(rounding, std::min(1e-8, 1e-6 * opening));
+  }
+
+  CurvePiece tangent(const Point& direction) const {
+    const double step = std::min(length(before_), length(after_));
+    const Point& at = after_.from;
+    return CurvePiece::straight(at, {at[0] + step * direction[0], at[1] + step * direction[1]},
+                                after_.edge);
+  }
+
+  CurvePiece before_, after_;
+  double sine_ = 0;
+  bool is_gentle_ = false;
+  int turn_ = 0;
+};
 
 class Divider {
  public:
@@ -83,8 +150,8 @@ class Divider {
         if (follows) is_apart = !cones_meet(p, q);
         if (precedes) is_apart = is_apart && !cones_meet(q, p);
         if (!follows && !precedes) is_apart = !hulls_meet(hulls[i], hulls[j]);
-        if (is_apart && follows) is_apart = joins(p, q);
-        if (is_apart && precedes) is_apart = joins(q, p);
+        if (is_apart && follows) is_apart = Corner(p, q).is_told();
+        if (is_apart && precedes) is_apart = Corner(q, p).is_told();
         if (is_apart) continue;
         any = true;
         worst_ = {std::min(p.edge, q.edge), std::max(p.edge, q.edge)};
@@ -95,10 +162,6 @@ class Divider {
     return any;
   }
 
-  // Straight edges on one line are one edge for the caller.
-  static bool joins(const CurvePiece& p, const CurvePiece& q) {
-    return is_consistent(p, q) || (p.is_straight() && q.is_straight());
-  }
   const CurvePiece& at(const Position& place) const {
     return contours_[place.contour][place.piece];
   }
@@ -118,18 +181,6 @@ class Divider {
   std::array<int, 2> worst_{};
 };
 
-double length(const CurvePiece& piece) {
-  return std::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
-}
-
-// The tangent at the beginning of `after`: short enough not to change how chords lie.
-ContourLink tangent_at(const CurvePiece& before, const CurvePiece& after) {
-  const Point along = after.start_direction(), at = after.from;
-  const double step = 1e-6 * std::min(length(before), length(after));
-  const auto moved = [&](double s) { return Point{at[0] + s * along[0], at[1] + s * along[1]}; };
-  return {CurvePiece::straight(moved(-step), moved(step), after.edge), moved(-step), true};
-}
-
 }  // namespace
 
 std::vector<std::vector<ContourLink>> divided(std::vector<std::vector<CurvePiece>> contours,
@@ -140,12 +191,7 @@ std::vector<std::vector<ContourLink>> divided(std::vector<std::vector<CurvePiece
     std::vector<ContourLink>& links = result.emplace_back();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const CurvePiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-      Point start = pieces[i].from;
-      if (is_inflection(before, pieces[i])) {
-        links.push_back(tangent_at(before, pieces[i]));
-        start = links.back().piece.to;
-      }
-      links.push_back({pieces[i], start, false});
+      Corner(before, pieces[i]).add_links(links, pieces[i]);
     }
   }
   return result;

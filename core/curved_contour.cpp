@@ -10,17 +10,22 @@
 namespace rfm {
 namespace {
 
+// Curves that are nowhere farther than `flat` from their chords are straight.
 std::vector<CurvePiece> pieces_of(const Point& from, const Point& to, const EdgeCurve& curve,
-                                  int number, CurvedEdge& edge) {
+                                  int number, double flat, CurvedEdge& edge) {
   edge.from = from;
   edge.to = to;
+  edge.whole = CurvePiece::straight(from, to, number);
   if (curve.conic) {
     const CurvePiece piece =
         CurvePiece::conic(from, curve.conic->control, curve.conic->weight, to, number);
-    return {edge.whole = piece};
+    const Point top = piece.middle();
+    const double height = cross(piece.chord(), {top[0] - from[0], top[1] - from[1]});
+    if (std::fabs(height) > flat) edge.whole = piece;
+    return {edge.whole};
   }
   const double b = curve.bulge;
-  if (b == 0) return {edge.whole = CurvePiece::straight(from, to, number)};
+  if (std::fabs(b) * std::hypot(to[0] - from[0], to[1] - from[1]) / 2 <= flat) return {edge.whole};
   // The centre lies at (1 − b²) / 4b chords to the left of the chord's middle.
   const double shift = (1 - b * b) / (4 * b), dx = to[0] - from[0], dy = to[1] - from[1];
   edge.center = Point{(from[0] + to[0]) / 2 - shift * dy, (from[1] + to[1]) / 2 + shift * dx};
@@ -30,6 +35,14 @@ std::vector<CurvePiece> pieces_of(const Point& from, const Point& to, const Edge
   const double half = std::tan(std::atan(b) / 2);
   edge.whole = CurvePiece::arc(from, middle, half, number);
   return {edge.whole, CurvePiece::arc(middle, to, half, number)};
+}
+
+double size_of(const std::vector<Point>& points) {
+  double size = 0;
+  for (const Point& point : points)
+    for (int axis = 0; axis < 2; ++axis)
+      size = std::max(size, std::fabs(point[axis] - points[0][axis]));
+  return size;
 }
 
 }  // namespace
@@ -51,6 +64,7 @@ std::vector<Point> outline_of(const std::vector<CurvePiece>& pieces) {
 std::vector<CurvePiece> cleaned(const CurvedContour& contour, std::vector<CurvedEdge>& edges) {
   std::vector<CurvePiece> pieces;
   const std::size_t count = contour.points.size();
+  const double flat = 1e-9 * size_of(contour.points);
   for (std::size_t i = 0; i < count; ++i) {
     const Point &from = contour.points[i], &to = contour.points[(i + 1) % count];
     const EdgeCurve curve = i < contour.edges.size() ? contour.edges[i] : EdgeCurve{};
@@ -61,7 +75,8 @@ std::vector<CurvePiece> cleaned(const CurvedContour& contour, std::vector<Curved
       throw InvalidArgument("the weight of " + name + " must be positive");
     if (from == to) continue;
     edges.push_back({name, i < contour.groups.size() ? contour.groups[i] : "", {}});
-    const auto more = pieces_of(from, to, curve, static_cast<int>(edges.size()) - 1, edges.back());
+    const auto more =
+        pieces_of(from, to, curve, static_cast<int>(edges.size()) - 1, flat, edges.back());
     pieces.insert(pieces.end(), more.begin(), more.end());
   }
   if (pieces.size() < 2)

@@ -5,16 +5,21 @@
 #include <map>
 #include <set>
 
+#include "core/contour_check.hpp"
 #include "core/contour_nesting.hpp"
 #include "core/curve_division.hpp"
 #include "core/edge_primitives.hpp"
 #include "core/error.hpp"
 #include "core/line_groups.hpp"
+#include "core/orientation.hpp"
 #include "core/polygon_chains.hpp"
 #include "core/primitives.hpp"
 
 namespace rfm {
 namespace {
+
+// Contours, and where pieces of them begin.
+using Beginnings = std::vector<std::pair<std::size_t, Point>>;
 
 // Primitives and expressions of a curved polygon.
 class CurvedPolygonBuilder {
@@ -30,25 +35,29 @@ class CurvedPolygonBuilder {
     std::size_t line = 0;
     for (std::size_t c = 0; c < contours_.size(); ++c) {
       const auto& links = contours_[c];
-      std::vector<Point> vertices;
+      std::vector<ChainLink> chain;
       std::vector<BooleanExpression> leaves;
-      std::vector<CurveHull> hulls;
       std::vector<std::size_t> numbers;
       for (std::size_t i = 0; i < links.size(); ++i) {
         const ContourLink& link = links[i];
-        const ContourLink& before = links[(i + links.size() - 1) % links.size()];
+        const std::size_t last = (i + links.size() - 1) % links.size();
         const int group = lines_.group[line + i];
-        const bool straight_on =
-            group == lines_.group[line + (i + links.size() - 1) % links.size()];
-        if (straight_on && link.piece.is_straight() && before.piece.is_straight()) continue;
-        vertices.push_back(link.start);
+        const bool straight_on = group == lines_.group[line + last];
+        if (straight_on && link.piece.is_straight() && links[last].piece.is_straight()) continue;
+        const Segment& along = lines_.lines[group];
+        chain.push_back({link.piece.from,
+                         {along.to[0] - along.from[0], along.to[1] - along.from[1]},
+                         link.turn});
+        if (!link.piece.is_straight()) chain.back().hull = link.piece.hull();
         leaves.push_back(leaf(link, BooleanExpression::variable(group)));
-        hulls.emplace_back();
-        if (!link.piece.is_straight()) hulls.back() = link.piece.hull();
         numbers.push_back(i);
       }
       line += links.size();
-      const CurvedChains chains = curved_chain_expression(vertices, leaves, hulls);
+      for (std::size_t i = 0; i < chain.size(); ++i)  // where straight edges meet
+        if (chain[i].turn == 0)
+          chain[i].turn = orientation(chain[(i + chain.size() - 1) % chain.size()].start,
+                                      chain[i].start, chain[(i + 1) % chain.size()].start);
+      const CurvedChains chains = curved_chain_expression(chain, leaves);
       for (const int edge : chains.blocking)
         blocking_.push_back({c, links[numbers[edge]].piece.from});
       expressions.push_back(chains.expression);
@@ -58,7 +67,7 @@ class CurvedPolygonBuilder {
   }
 
   /// The contours and beginnings of pieces that have to be divided.
-  const std::vector<std::pair<std::size_t, Point>>& blocking() const { return blocking_; }
+  const Beginnings& blocking() const { return blocking_; }
 
   std::vector<std::shared_ptr<const Primitive>> primitives() {
     mark_smooth_joints();
@@ -109,7 +118,7 @@ class CurvedPolygonBuilder {
       for (std::size_t i = 0; i < contour.size(); ++i) {
         const CurvePiece& piece = contour[i].piece;
         std::size_t next = (i + 1) % contour.size();
-        if (contour[next].is_tangent) next = (next + 1) % contour.size();
+        while (contour[next].is_tangent) next = (next + 1) % contour.size();
         const CurvePiece& other = contour[next].piece;
         if (contour[i].is_tangent || curve_of_.at(piece.edge) == curve_of_.at(other.edge)) continue;
         if (std::fabs(cross(piece.end_direction(), other.start_direction())) > rounding) continue;
@@ -210,7 +219,7 @@ class CurvedPolygonBuilder {
   std::vector<std::vector<ContourLink>> contours_;
   LineGroups lines_;
   std::vector<Primitive> primitives_;
-  std::vector<std::pair<std::size_t, Point>> blocking_;
+  Beginnings blocking_;
   std::map<int, int> curve_of_;   // of an edge, its primitive
   std::map<int, int> branch_of_;  // of a conic, the separator of its branches, or −1
 };
@@ -227,6 +236,46 @@ Box box_of(const std::vector<std::vector<CurvePiece>>& contours) {
   return box;
 }
 
+std::vector<std::vector<Point>> chords_of(const std::vector<std::vector<ContourLink>>& contours) {
+  std::vector<std::vector<Point>> chords;
+  for (const auto& contour : contours)
+    for (auto& points = chords.emplace_back(); const ContourLink& link : contour)
+      if (!link.is_tangent) points.push_back(link.piece.from);
+  return chords;
+}
+
+// What division may mend: curves that are wrong themselves, or follow those; else all curves.
+Beginnings to_divide(const std::vector<std::vector<ContourLink>>& contours,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& wrong) {
+  Beginnings result, all;
+  for (std::size_t c = 0; c < contours.size(); ++c)
+    for (const ContourLink& link : contours[c])
+      if (!link.piece.is_straight()) all.push_back({c, link.piece.from});
+  for (const auto& [c, i] : wrong)
+    for (int step = -2; step <= 2; ++step) {  // tangents lie between
+      const std::size_t count = contours[c].size();
+      const CurvePiece& piece = contours[c][(i + count + step) % count].piece;
+      if (!piece.is_straight()) result.push_back({c, piece.from});
+    }
+  return result.empty() ? all : result;
+}
+
+// The contours without tangents, some of their pieces divided.
+std::vector<std::vector<CurvePiece>> halved(const std::vector<std::vector<ContourLink>>& contours,
+                                            const Beginnings& beginnings) {
+  std::vector<std::vector<CurvePiece>> pieces(contours.size());
+  for (std::size_t c = 0; c < contours.size(); ++c)
+    for (const ContourLink& link : contours[c]) {
+      if (link.is_tangent) continue;
+      if (std::ranges::find(beginnings, std::pair(c, link.piece.from)) == beginnings.end()) {
+        pieces[c].push_back(link.piece);
+      } else {
+        for (const CurvePiece& half : link.piece.halves()) pieces[c].push_back(half);
+      }
+    }
+  return pieces;
+}
+
 }  // namespace
 
 Outline curved_polygon(const std::vector<CurvedContour>& contours) {
@@ -235,34 +284,28 @@ Outline curved_polygon(const std::vector<CurvedContour>& contours) {
   std::vector<std::vector<CurvePiece>> pieces;
   for (const CurvedContour& contour : contours) pieces.push_back(cleaned(contour, edges));
   std::vector<std::string> names;
-  for (const CurvedEdge& edge : edges) names.push_back(edge.name);
+  for (const CurvedEdge& edge : edges) names.push_back(edge.group.empty() ? edge.name : edge.group);
   const Box enclosure = box_of(pieces);
-  constexpr int most_rounds = 12;
+  constexpr int most_rounds = 12, most_corrections = 4;
+  int corrections = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const auto links = divided(pieces, names);
     CurvedPolygonBuilder builder(edges, links);
     const auto expressions = builder.run();
+    Beginnings blocking = builder.blocking();
     if (expressions) {
-      std::vector<std::vector<Point>> chords;
-      for (const auto& contour : links)
-        for (auto& points = chords.emplace_back(); const ContourLink& link : contour)
-          points.push_back(link.start);
       std::vector<OutlineSide> sides = builder.sides();
-      const Region region(2, builder.primitives(), nested_expression(chords, *expressions));
-      return {region.within(enclosure), std::move(sides)};
+      const Region region(2, builder.primitives(),
+                          nested_expression(chords_of(links), *expressions));
+      const auto wrong = wrong_links(RegionEvaluator(region), links, edges);
+      if (wrong.empty()) return {region.within(enclosure), std::move(sides)};
+      blocking = to_divide(links, wrong);
+      if (++corrections > most_corrections || blocking.empty())
+        throw InvalidArgument("inside and outside cannot be told apart beside " +
+                              names[links[wrong[0].first][wrong[0].second].piece.edge] +
+                              ": edges nearly touch each other");
     }
-    for (std::size_t c = 0; c < pieces.size(); ++c) {
-      pieces[c].clear();
-      for (const ContourLink& link : links[c]) {
-        if (link.is_tangent) continue;
-        if (std::ranges::find(builder.blocking(), std::pair(c, link.piece.from)) ==
-            builder.blocking().end()) {
-          pieces[c].push_back(link.piece);
-        } else {
-          for (const CurvePiece& half : link.piece.halves()) pieces[c].push_back(half);
-        }
-      }
-    }
+    pieces = halved(links, blocking);
   }
   throw InvalidArgument("edges of the curved polygon nearly touch each other");
 }

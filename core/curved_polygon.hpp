@@ -20,10 +20,15 @@ namespace rfm {
 /// separator. Separators bound nothing but single points. Where the whole region lies inside c, the
 /// chord is left out.
 ///
+/// The result is compared with the parity of the contours beside every edge (`wrong_links`): where
+/// it is wrong, edges are divided once more, up to four times. What is narrower than 10⁻⁴ of a
+/// piece is not seen.
+///
 /// Functions of arcs are those of `circle` and normalised conics; edges on one circle share it.
 ///
 /// Throws `InvalidArgument` for bulges and weights that are not finite, weights that are not
-/// positive, and edges that cross, touch, or come closer than about 10⁻³ of their length.
+/// positive, and edges that cross, touch, or come closer than about 10⁻³ of their length, by the
+/// names of their groups or their own.
 Outline curved_polygon(const std::vector<CurvedContour>& contours);
 
 }  // namespace rfm

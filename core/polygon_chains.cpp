@@ -15,38 +15,57 @@ namespace {
 using Kind = BooleanExpression::Kind;
 using Node = BooleanExpression::Node;
 
-struct Direction {
-  double x, y;
-};
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Point back(const Point& direction) { return {-direction[0], -direction[1]}; }
 
-double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
+// In 64 bits, so that directions that are multiples of each other are parallel.
+double cross(const Point& a, const Point& b) {
+  return static_cast<double>(static_cast<long double>(a[0]) * b[1] -
+                             static_cast<long double>(a[1]) * b[0]);
+}
 
-Direction unit(const Point& from, const Point& to) {
-  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
-  return {dx / length, dy / length};
+Point unit(const Point& direction) {
+  const double length = std::hypot(direction[0], direction[1]);
+  return {direction[0] / length, direction[1] / length};
+}
+
+// Corners of hulls nearer to the chord by a little: a vertex at which curves pass into each other
+// smoothly lies on the side that their hulls share, and would be hidden by rounding. What is left
+// out of a hull that way is the square of it.
+std::array<Point, 4> shrunk(const std::array<Point, 4>& hull, double size) {
+  const Point along = unit(minus(hull[3], hull[0]));
+  std::array<Point, 4> result = hull;
+  for (const int corner : {1, 2}) {
+    const double height = cross(along, minus(hull[corner], hull[0]));
+    const double step = std::copysign(1e-6 * std::fabs(height) + 1e-13 * size, height);
+    result[corner][0] += step * along[1];
+    result[corner][1] -= step * along[0];
+  }
+  return result;
 }
 
 class ChainBuilder {
  public:
-  ChainBuilder(std::span<const Point> vertices, std::span<const BooleanExpression> edges,
-               std::span<const CurveHull> hulls)
-      : vertices_(vertices),
-        edges_(edges),
-        hulls_(hulls),
-        count_(static_cast<int>(vertices.size())) {
-    for (const Point& vertex : vertices_)
+  ChainBuilder(std::span<const ChainLink> links, std::span<const BooleanExpression> edges)
+      : links_(links.begin(), links.end()), edges_(edges), count_(static_cast<int>(links.size())) {
+    for (const ChainLink& link : links_)
       for (int axis = 0; axis < 2; ++axis)
-        size_ = std::max(size_, std::fabs(vertex[axis] - vertices_[0][axis]));
-    rounding_ = (hulls.empty() ? 0x1p-50 : 1e-10) * size_;
+        size_ = std::max(size_, std::fabs(link.start[axis] - links_[0].start[axis]));
+    for (ChainLink& link : links_)
+      if (link.hull) link.hull = shrunk(*link.hull, size_);
+    rounding_ = 0x1p-50 * size_;
   }
 
   BooleanExpression run() {
-    // Vertices are numbered from an extreme one, where the walk around ends, too.
-    for (int i = 1; i < count_; ++i)
-      if (vertices_[i] < vertices_[start_]) start_ = i;
-    std::vector<int> splits = vertices_of(lower_hull({0, count_, 0, count_ - 1}, {0, 1}));
-    const std::vector<int> above = vertices_of(lower_hull({0, count_, 0, count_ - 1}, {0, -1}));
+    const Range all{0, count_, 0, count_ - 1};
+    std::vector<int> splits = vertices_of(lower_hull(all, {0, 1}), all, 1);
+    const std::vector<int> above = vertices_of(lower_hull(all, {0, -1}), all, 1);
     splits.insert(splits.end(), above.begin(), above.end());
+    // Vertices are numbered from one of these, where the walk around ends, too.
+    if (splits.empty()) return edges_[0];  // of no use: edges are blocking
+    start_ = splits[0];
+    for (int& split : splits) split = (split + count_ - start_) % count_;
     return BooleanExpression::of_nodes(nodes_, parts(0, count_, splits, Kind::conjunction));
   }
 
@@ -54,7 +73,8 @@ class ChainBuilder {
   std::vector<int> blocking() const { return {blocking_.begin(), blocking_.end()}; }
 
  private:
-  const Point& at(int step) const { return vertices_[(start_ + step) % count_]; }
+  const ChainLink& link(int step) const { return links_[(start_ + step) % count_]; }
+  const Point& at(int step) const { return link(step).start; }
 
   // The parts of a chain between `splits`, vertices of its hull in any order.
   int parts(int from, int to, std::vector<int>& splits, Kind kind) {
@@ -79,29 +99,31 @@ class ChainBuilder {
         blocking_ = known_blocking;
       }
     if (splits.empty()) return leaf((start_ + from) % count_);  // of no use: edges are blocking
-    const int one = splits[0];
-    const bool convex = orientation(at(one - 1), at(one), at(one + 1)) > 0;
+    const bool convex = link(splits[0]).turn > 0;
     return parts(from, to, splits, convex ? Kind::conjunction : Kind::disjunction);
   }
 
   // The vertices between `from` and `to` on the hull of the chain with both ends extended.
   std::vector<int> vertices_on_hull(int from, int to) {
-    const Direction back = unit(at(from + 1), at(from)), forth = unit(at(to - 1), at(to));
-    Direction up{back.x + forth.x, back.y + forth.y};
+    const Point behind = back(link(from).direction), ahead = link(to - 1).direction;
+    const Point one = unit(behind), other = unit(ahead);
+    const Range range{from, to, from + 1, to - 1};
+    Point up{one[0] + other[0], one[1] + other[1]};
     // Below this the extensions are opposite to each other, up to rounding.
     if (dot(up, up) > 1e-24) {
-      std::vector<HullPoint> hull = lower_hull({from, to, from + 1, to - 1}, up);
-      trim(hull, back, forth);
-      return vertices_of(hull);
+      std::vector<HullPoint> hull = lower_hull(range, up);
+      trim(hull, behind, ahead);
+      // The hull is above: whoever walks along it to the right turns left.
+      return vertices_of(hull, range, cross(behind, ahead) < 0 ? 1 : -1);
     }
     // Then all lies between two lines along them. Where both ends lie on the lower of these, edges
     // extended along it would meet the ends; there are other vertices on the upper one.
-    up = {-back.y, back.x};
-    std::vector<HullPoint> hull = lowest({from, to, from + 1, to - 1}, up);
+    up = {-one[1], one[0]};
+    std::vector<HullPoint> hull = lowest(range, up);
     const double line = height(up, hull[0].point) + rounding_;
-    if (height(up, at(from)) <= line && height(up, at(to)) <= line)
-      hull = lowest({from, to, from + 1, to - 1}, {-up.x, -up.y});
-    return vertices_of(hull);
+    const bool is_above = height(up, at(from)) <= line && height(up, at(to)) <= line;
+    if (is_above) hull = lowest(range, back(up));
+    return vertices_of(hull, range, is_above ? 1 : -1);
   }
 
   // A vertex, or (−1) a corner of the hull of a curve.
@@ -118,30 +140,45 @@ class ChainBuilder {
   std::vector<HullPoint> points_of(const Range& range) const {
     std::vector<HullPoint> points;
     for (int i = range.first; i <= range.last; ++i) points.push_back({at(i), i, -1});
-    if (hulls_.empty()) return points;
-    for (int step = range.from; step < range.to; ++step) {
-      const int edge = (start_ + step) % count_;
-      if (!hulls_[edge]) continue;
-      for (const int corner : {1, 2}) points.push_back({(*hulls_[edge])[corner], -1, edge});
-    }
+    for (int step = range.from; step < range.to; ++step)
+      if (const auto& hull = link(step).hull)
+        for (const int corner : {1, 2})
+          points.push_back({(*hull)[corner], -1, (start_ + step) % count_});
     return points;
   }
 
-  // The vertices among the points of a hull; edges block if there are none.
-  std::vector<int> vertices_of(const std::vector<HullPoint>& hull) {
+  // The vertices among the points of a hull that turn with it, which tells apart those that a
+  // tangent joins in one point; edges block if there are none.
+  std::vector<int> vertices_of(const std::vector<HullPoint>& hull, const Range& range, int turn) {
     std::vector<int> vertices;
+    const auto add = [&](int vertex) {
+      if (link(vertex).turn != -turn) vertices.push_back(vertex);
+    };
+    for (const HullPoint& point : hull) {
+      if (point.vertex < 0) continue;
+      add(point.vertex);
+      for (const int step : {1, -1})
+        for (int i = point.vertex + step;
+             i >= range.first && i <= range.last && at(i) == point.point; i += step)
+          add(i);
+    }
+    if (!vertices.empty()) return vertices;
+    bool any = false;
     for (const HullPoint& point : hull)
-      if (point.vertex >= 0) vertices.push_back(point.vertex);
-    if (vertices.empty())
-      for (const HullPoint& point : hull) blocking_.insert(point.edge);
+      if (point.edge >= 0) {
+        blocking_.insert(point.edge);
+        any = true;
+      }
+    for (int step = range.from; step < range.to && !any; ++step)
+      if (link(step).hull) blocking_.insert((start_ + step) % count_);
     return vertices;
   }
 
-  double height(const Direction& up, const Point& point) const {
-    return up.x * (point[0] - vertices_[0][0]) + up.y * (point[1] - vertices_[0][1]);
+  double height(const Point& up, const Point& point) const {
+    return dot(up, minus(point, links_[0].start));
   }
 
-  std::vector<HullPoint> lowest(const Range& range, const Direction& up) const {
+  std::vector<HullPoint> lowest(const Range& range, const Point& up) const {
     double least = INFINITY;
     const std::vector<HullPoint> all = points_of(range);
     for (const HullPoint& point : all) least = std::min(least, height(up, point.point));
@@ -152,40 +189,34 @@ class ChainBuilder {
   }
 
   // Points on their convex hull as seen from below, from left to right, those on its straight parts
-  // included (Andrew 1979). Corners of curves only count where they lie outside by more than
-  // rounding, so that they do not hide vertices at which the curve is tangent to its chain.
-  std::vector<HullPoint> lower_hull(const Range& range, const Direction& up) const {
-    const Direction right{up.y, -up.x};
+  // included (Andrew 1979), each once.
+  std::vector<HullPoint> lower_hull(const Range& range, const Point& up) const {
+    const Point right{up[1], -up[0]};
     std::vector<std::pair<std::array<double, 2>, HullPoint>> order;
     for (const HullPoint& point : points_of(range))
       order.push_back({{height(right, point.point), height(up, point.point)}, point});
     std::ranges::sort(order, {}, [](const auto& entry) { return entry.first; });
     std::vector<HullPoint> hull;
-    const auto turns_right = [&](const HullPoint& next) {
-      const HullPoint &a = hull[hull.size() - 2], &b = hull.back();
-      if (hulls_.empty()) return orientation(a.point, b.point, next.point) < 0;
-      const Direction along = unit(a.point, next.point);
-      const double above =
-          along.x * (b.point[1] - a.point[1]) - along.y * (b.point[0] - a.point[0]);
-      return above > (b.vertex >= 0 ? 1e-10 : -1e-10) * size_;
-    };
     for (const auto& [place, point] : order) {
-      while (hull.size() > 1 && turns_right(point)) hull.pop_back();
-      hull.push_back(point);
+      while (hull.size() > 1 &&
+             orientation(hull[hull.size() - 2].point, hull.back().point, point.point) < 0)
+        hull.pop_back();
+      if (hull.empty() || hull.back().point != point.point)
+        hull.push_back(point);
+      else if (point.vertex >= 0)
+        hull.back() = point;
     }
     return hull;
   }
 
   // Removes the points of a lower hull that lie above what the extensions add to it.
-  void trim(std::vector<HullPoint>& hull, const Direction& back, const Direction& forth) const {
-    const bool back_is_left = back.x * forth.y - back.y * forth.x < 0;
-    const Direction left = back_is_left ? back : forth, right = back_is_left ? forth : back;
-    const double tolerance = hulls_.empty() ? 0 : 1e-10 * size_;
-    const auto turn = [&](const Direction& d, const HullPoint& from, const HullPoint& to) {
-      return d.x * (to.point[1] - from.point[1]) - d.y * (to.point[0] - from.point[0]);
-    };
-    while (hull.size() > 1 && turn(left, hull[0], hull[1]) >= tolerance) hull.erase(hull.begin());
-    while (hull.size() > 1 && turn(right, hull.back(), hull[hull.size() - 2]) <= -tolerance)
+  static void trim(std::vector<HullPoint>& hull, const Point& behind, const Point& ahead) {
+    const bool starts_left = cross(behind, ahead) < 0;
+    const Point left = starts_left ? behind : ahead, right = starts_left ? ahead : behind;
+    while (hull.size() > 1 && cross(left, minus(hull[1].point, hull[0].point)) >= 0)
+      hull.erase(hull.begin());
+    while (hull.size() > 1 &&
+           cross(right, minus(hull[hull.size() - 2].point, hull.back().point)) <= 0)
       hull.pop_back();
   }
 
@@ -193,31 +224,52 @@ class ChainBuilder {
   // the hull are spared to ask.
   bool is_free(int from, int to, int vertex) const {
     const Point& origin = at(vertex);
-    const std::array<Direction, 2> rays = {unit(at(vertex - 1), origin),
-                                           unit(at(vertex + 1), origin)};
-    const auto meets = [&](const Direction& ray, const Point& a, const Point& b) {
-      const double ax = a[0] - origin[0], ay = a[1] - origin[1];
-      const double bx = b[0] - origin[0], by = b[1] - origin[1];
-      const double p = ray.x * ay - ray.y * ax, q = ray.x * by - ray.y * bx;
-      if (p * q > 0) return false;
-      const double t = p == q ? 0 : p / (p - q);
-      return dot(ray, {ax + t * (bx - ax), ay + t * (by - ay)}) >= 0;
+    const std::array<Point, 2> rays = {unit(link(vertex - 1).direction),
+                                       back(unit(link(vertex).direction))};
+    const auto meets = [&](const Point& ray, const Point& p, const Point& q) {
+      const Point a = minus(p, origin), b = minus(q, origin);
+      const double u = cross(ray, a), v = cross(ray, b);
+      if (u * v > 0) return false;
+      const double t = u == v ? 0 : u / (u - v);
+      return dot(ray, {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}) >= 0;
     };
-    const auto far = [&](const Point& end, const Direction& d) {
-      return Point{end[0] + 1e3 * size_ * d.x, end[1] + 1e3 * size_ * d.y};
+    const auto far = [&](const Point& end, const Point& direction) {
+      const Point d = unit(direction);
+      return Point{end[0] + 1e3 * size_ * d[0], end[1] + 1e3 * size_ * d[1]};
     };
     for (int step = from; step < to; ++step) {
       if (step == vertex || step == vertex - 1) continue;
+      const ChainLink& edge = link(step);
       std::vector<Point> corners = {at(step), at(step + 1)};
-      if (step == from) corners[0] = far(at(from), unit(at(from + 1), at(from)));
-      if (step == to - 1) corners[1] = far(at(to), unit(at(to - 1), at(to)));
-      if (const CurveHull& hull = hulls_[(start_ + step) % count_]; hull)
-        corners.insert(corners.end(), hull->begin(), hull->end());
+      if (step == from) corners[0] = far(at(from), back(edge.direction));
+      if (step == to - 1) corners[1] = far(at(to), edge.direction);
+      if (corners[0] == corners[1]) continue;
+      const bool begins = at(step) == origin, ends = at(step + 1) == origin;
+      if (begins || ends) {
+        for (const Point& ray : rays)
+          if (enters(ray, edge, begins, corners)) return false;
+        continue;
+      }
+      if (edge.hull) corners.insert(corners.end(), edge.hull->begin(), edge.hull->end());
       for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-        for (const Direction& ray : rays)
+        for (const Point& ray : rays)
           if (meets(ray, corners[i], corners[i + 1])) return false;
     }
     return true;
+  }
+
+  // Whether a ray from the point where an edge begins (or ends) runs between its chord and its
+  // tangent there; along the chord it does not.
+  static bool enters(const Point& ray, const ChainLink& edge, bool begins,
+                     const std::vector<Point>& ends) {
+    const Point chord = unit(begins ? minus(ends[1], ends[0]) : minus(ends[0], ends[1]));
+    if (dot(ray, chord) <= 0) return false;
+    const double past_chord = cross(chord, ray);
+    if (!edge.hull) return std::fabs(past_chord) <= rounding_of_directions_;
+    const auto& hull = *edge.hull;
+    const Point tangent = unit(begins ? minus(hull[1], hull[0]) : minus(hull[2], hull[3]));
+    const double side = cross(chord, tangent) > 0 ? 1 : -1;
+    return side * past_chord > rounding_of_directions_ && side * cross(ray, tangent) >= 0;
   }
 
   int leaf(int edge) {
@@ -240,9 +292,9 @@ class ChainBuilder {
     return static_cast<int>(nodes_.size()) - 1;
   }
 
-  std::span<const Point> vertices_;
+  static constexpr double rounding_of_directions_ = 1e-13;
+  std::vector<ChainLink> links_;
   std::span<const BooleanExpression> edges_;
-  std::span<const CurveHull> hulls_;
   int count_;
   int start_ = 0;
   double size_ = 0;
@@ -255,13 +307,18 @@ class ChainBuilder {
 
 BooleanExpression chain_expression(std::span<const Point> vertices,
                                    std::span<const BooleanExpression> edges) {
-  return ChainBuilder(vertices, edges, {}).run();
+  const std::size_t count = vertices.size();
+  std::vector<ChainLink> links(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point &before = vertices[(i + count - 1) % count], &after = vertices[(i + 1) % count];
+    links[i] = {vertices[i], minus(after, vertices[i]), orientation(before, vertices[i], after)};
+  }
+  return ChainBuilder(links, edges).run();
 }
 
-CurvedChains curved_chain_expression(std::span<const Point> vertices,
-                                     std::span<const BooleanExpression> edges,
-                                     std::span<const CurveHull> hulls) {
-  ChainBuilder builder(vertices, edges, hulls);
+CurvedChains curved_chain_expression(std::span<const ChainLink> links,
+                                     std::span<const BooleanExpression> edges) {
+  ChainBuilder builder(links, edges);
   CurvedChains result{builder.run(), {}};
   result.blocking = builder.blocking();
   return result;

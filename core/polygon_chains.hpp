@@ -29,8 +29,17 @@ namespace rfm {
 BooleanExpression chain_expression(std::span<const Point> vertices,
                                    std::span<const BooleanExpression> edges);
 
-/// The corners of a convex polygon that holds a curve; nothing for a straight edge.
-using CurveHull = std::optional<std::array<Point, 4>>;
+/// An edge of a polygon of chords.
+struct ChainLink {
+  Point start{};
+  /// Of its line. Edges may have length zero (tangents): neighbours then start in one point.
+  Point direction{};
+  /// Which way the polygon turns where it begins: 1 left, −1 right.
+  int turn = 0;
+  /// Corners of a convex polygon that holds the curve over it, first and last its ends; nothing for
+  /// a straight edge.
+  std::optional<std::array<Point, 4>> hull = {};
+};
 
 struct CurvedChains {
   BooleanExpression expression;
@@ -41,8 +50,7 @@ struct CurvedChains {
 
 /// The same for a polygon of chords of curves: hulls of chains are those of the curves, too, so
 /// that chords extended beyond a vertex do not meet curves either.
-CurvedChains curved_chain_expression(std::span<const Point> vertices,
-                                     std::span<const BooleanExpression> edges,
-                                     std::span<const CurveHull> hulls);
+CurvedChains curved_chain_expression(std::span<const ChainLink> links,
+                                     std::span<const BooleanExpression> edges);
 
 }  // namespace rfm

@@ -56,8 +56,8 @@ TEST(CurveDivision, PutsATangentWhereTheCurvatureChangesItsSign) {
   for (const ContourLink& link : contours[0])
     if (link.is_tangent) {
       ++tangents;
-      EXPECT_NEAR(link.piece.middle()[0], 1, 1e-12);
-      EXPECT_NEAR(link.piece.middle()[1], 1, 1e-12);
+      EXPECT_NEAR(link.piece.from[0], 1, 1e-12);
+      EXPECT_NEAR(link.piece.from[1], 1, 1e-12);
       EXPECT_TRUE(link.piece.is_straight());
     }
   EXPECT_EQ(tangents, 1);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/arc_spline.hpp"
 #include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
@@ -209,6 +210,178 @@ void agree(int count) {
 
 TEST(CurvedPolygons, SignsAreThoseOfTheWindingNumber) { agree(40); }
 TEST(LongCurvedPolygons, SignsAreThoseOfTheWindingNumber) { agree(1000); }
+
+CurvedContour of_spline(const std::vector<Point>& points) {
+  CurvedContour contour;
+  for (const CircularEdge& edge : arc_spline(points, true).edges) {
+    contour.points.push_back(edge.from);
+    contour.edges.push_back({edge.bulge});
+  }
+  return contour;
+}
+
+Point rounded(const Point& p, double unit) {
+  return {std::round(p[0] / unit) * unit, std::round(p[1] / unit) * unit};
+}
+
+/// NACA 00xx, its trailing edge sharp: beside it the closed spline has inflections.
+std::vector<Point> airfoil(int count, double thickness, double unit) {
+  std::vector<Point> points;
+  for (int k = 0; k < 2 * count; ++k) {
+    const double x = (1 + std::cos(pi * k / count)) / 2;
+    const double y = 5 * thickness *
+                     (.2969 * std::sqrt(x) - .126 * x - .3516 * x * x + .2843 * x * x * x -
+                      .1036 * x * x * x * x);
+    points.push_back(rounded({x, k < count ? y : -y}, unit));
+  }
+  return points;
+}
+
+/// A band of constant height along a sine.
+std::vector<Point> snake(RandomPolygons& random, double unit) {
+  const int count = random.integer(6, 20);
+  const double height = std::pow(10, random.real(-3, -0.7)), size = random.real(0.1, 0.5),
+               waves = random.real(1, 6);
+  std::vector<Point> points, back;
+  for (int k = 0; k < count; ++k) {
+    const double x = 3.0 * k / (count - 1), y = size * std::sin(waves * x);
+    points.push_back(rounded({x, y}, unit));
+    back.push_back(rounded({x, y + height}, unit));
+  }
+  points.insert(points.end(), back.rbegin(), back.rend());
+  return points;
+}
+
+/// Points of a turned rectangle with round corners: up to rounding on lines and circles.
+std::vector<Point> round_rectangle(int count, double turn, double unit) {
+  std::vector<Point> points;
+  const double c = std::cos(turn), s = std::sin(turn);
+  const Point centers[] = {{1.8, 0.2}, {1.8, 0.8}, {0.2, 0.8}, {0.2, 0.2}};
+  for (int side = 0; side < 4; ++side) {
+    std::vector<Point> part;
+    const auto on_arc = [&](int corner, double degrees) {
+      const double angle = degrees * pi / 180;
+      return Point{centers[corner][0] + 0.2 * std::cos(angle),
+                   centers[corner][1] + 0.2 * std::sin(angle)};
+    };
+    for (int k = 0; k < 5; ++k) part.push_back(on_arc(side, -90 + 90 * side + 22.5 * k));
+    const Point from = part.back(), to = on_arc((side + 1) % 4, 90 * side);
+    for (int k = 1; k < count; ++k)
+      part.push_back(
+          {from[0] + (to[0] - from[0]) * k / count, from[1] + (to[1] - from[1]) * k / count});
+    for (const Point& p : part)
+      points.push_back(rounded({c * p[0] - s * p[1], s * p[0] + c * p[1]}, unit));
+  }
+  return points;
+}
+
+// Signs at points that are not nearer to the curve than a part of its size.
+void compare_beyond(double margin, const CurvedContour& contour, RandomPolygons& random,
+                    int points) {
+  const RegionEvaluator region(curved_polygon({contour}).region);
+  const std::vector<Point> on = traced(contour, 25);
+  Point low = on[0], high = on[0];
+  for (const Point& p : on)
+    for (int axis = 0; axis < 2; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  const double size = std::max(high[0] - low[0], high[1] - low[1]);
+  for (int i = 0; i < points; ++i) {
+    Point at{random.real(low[0], high[0]), random.real(low[1], high[1])};
+    if (i % 2 == 0) {
+      const Point& near = on[random.integer(0, static_cast<int>(on.size()) - 1)];
+      const double step = size * std::pow(10, random.real(-8, -1));
+      at = {near[0] + random.real(-step, step), near[1] + random.real(-step, step)};
+    }
+    if (distance_from(contour, at) < margin * size) continue;
+    ASSERT_EQ(region.contains(at), is_inside(contour, at)) << at[0] << ", " << at[1];
+  }
+}
+
+// Curves nearer to their chords than 1e-9 of the size are straight.
+constexpr double flat = 2e-9;
+
+enum class Smooth { airfoil, snake, round_rectangle };
+
+// Curves that cross themselves or turn back are passed over.
+void expect_smooth_contours(Smooth kind, double margin, int seed, int count) {
+  RandomPolygons random(seed);
+  int compared = 0, refused = 0;
+  for (int i = 0; i < count; ++i) {
+    const double unit = std::pow(10, -random.integer(3, 12));
+    std::vector<Point> points;
+    if (kind == Smooth::airfoil)
+      points = airfoil(random.integer(8, 50), random.real(0.05, 0.2), unit);
+    else if (kind == Smooth::snake)
+      points = snake(random, unit);
+    else
+      points = round_rectangle(random.integer(2, 9), random.real(0, 3), unit);
+    CurvedContour contour;
+    try {
+      contour = of_spline(points);
+    } catch (const InvalidArgument&) {
+      continue;
+    }
+    if (crosses_itself(contour, 50)) continue;
+    ++compared;
+    try {
+      compare_beyond(margin, contour, random, 200);
+    } catch (const InvalidArgument& error) {
+      ++refused;
+      EXPECT_THAT(error.what(), testing::Not(HasSubstr("_arc")));
+    }
+    if (testing::Test::HasFatalFailure()) FAIL() << "contour " << i << " rounded to " << unit;
+  }
+  EXPECT_GT(compared, 0.6 * count);
+  EXPECT_LE(refused, 0.03 * count);
+}
+
+TEST(CurvedPolygons, OfSplinesWithInflectionsAtNarrowPlacesKeepTheirInside) {
+  expect_smooth_contours(Smooth::airfoil, flat, 31, 12);
+  expect_smooth_contours(Smooth::snake, flat, 32, 12);
+}
+TEST(LongCurvedPolygons, OfSplinesWithInflectionsAtNarrowPlacesKeepTheirInside) {
+  expect_smooth_contours(Smooth::airfoil, flat, 33, 500);
+  expect_smooth_contours(Smooth::snake, flat, 34, 500);
+}
+
+// Through points of lines, rounded, splines wind about them by that much: extended chords of one
+// wind meet others, and are off by less than what the curve is wide.
+TEST(CurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
+  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 35, 20);
+}
+TEST(LongCurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
+  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 36, 500);
+}
+
+TEST(CurvedPolygons, OfAirfoilsKeepTheirInside) {
+  RandomPolygons random(33);
+  for (const int count : {15, 25, 35, 50})
+    for (const double thickness : {0.09, 0.12, 0.18})
+      for (const double unit : {1e-4, 1e-6, 1e-12}) {
+        compare_beyond(flat, of_spline(airfoil(count, thickness, unit)), random, 50);
+        if (testing::Test::HasFatalFailure()) FAIL() << count << " " << thickness << " " << unit;
+      }
+}
+
+TEST(CurvedPolygons, EdgesThatAreAlmostStraightAreThere) {
+  RandomPolygons random(34);
+  for (int power = -16; power <= -1; ++power)
+    for (const double sign : {1.0, -1.0}) {
+      const double bulge = sign * std::pow(10, power);
+      const CurvedContour square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{bulge}, {}, {}, {}}};
+      const Region region = curved_polygon({square}).region;
+      compare_beyond(flat, square, random, 100);
+      // The extreme of the arc is not taken for its chord.
+      const Box box = bounding_box(RegionEvaluator(region));
+      EXPECT_NEAR(box.low[1], std::min(0.0, -bulge / 2), 1e-9 + 1e-12) << bulge;
+      if (std::fabs(bulge) > 2.1e-9) {
+        EXPECT_NEAR(box.low[1], std::min(0.0, -bulge / 2), 1e-12) << bulge;
+      }
+      if (testing::Test::HasFatalFailure()) FAIL() << bulge;
+    }
+}
 
 }  // namespace
 }  // namespace rfm

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/contour.hpp"
+#include "core/curve_piece.hpp"
 #include "tests/core/random_polygons.hpp"
 
 namespace rfm {
@@ -67,15 +68,44 @@ TEST(PolygonChains, OfAConvexPolygonAreAConjunctionAndOfADentADisjunction) {
 
 TEST(PolygonChains, BlockingCurvesAreThoseOnTheHullOfAChainWithoutAVertexThere) {
   const std::vector<Point> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  std::vector<CurveHull> hulls(4);
+  std::vector<ChainLink> links;
+  for (int i = 0; i < 4; ++i) {
+    const Point &p = square[i], &q = square[(i + 1) % 4];
+    links.push_back({p, {q[0] - p[0], q[1] - p[1]}, 1});
+  }
   const auto edges = variables(4);
-  EXPECT_TRUE(curved_chain_expression(square, edges, hulls).blocking.empty());
+  EXPECT_TRUE(curved_chain_expression(links, edges).blocking.empty());
   // A bulge outwards between two extreme vertices blocks nothing.
-  hulls[0] = std::array<Point, 4>{Point{0, 0}, Point{0.5, -0.5}, Point{1.5, -0.5}, Point{2, 0}};
-  const CurvedChains bulged = curved_chain_expression(square, edges, hulls);
+  links[0].hull =
+      std::array<Point, 4>{Point{0, 0}, Point{0.5, -0.5}, Point{1.5, -0.5}, Point{2, 0}};
+  const CurvedChains bulged = curved_chain_expression(links, edges);
   EXPECT_TRUE(bulged.blocking.empty());
   for (const Point& p : {Point{1, 1}, Point{3, 1}, Point{1, -1}})
     EXPECT_EQ(holds(bulged.expression, square, p), winds_around(square, p));
+}
+
+TEST(PolygonChains, TangentsOfLengthZeroTurnOneWayAndThenTheOther) {
+  // A square whose upper side has an S in its middle: a cap outwards, then one inwards, and in (1,
+  // 2), where they meet, their tangent.
+  const double slope = 0.5;
+  std::vector<ChainLink> links{{{0, 0}, {2, 0}, 1},   {{2, 0}, {0, 2}, 1},
+                               {{2, 2}, {-1, 0}, 1},  {{1, 2}, {-1, -slope}, 1},
+                               {{1, 2}, {-1, 0}, -1}, {{0, 2}, {0, -2}, 1}};
+  links[2].hull = {Point{2, 2}, Point{1.5, 2.25}, Point{1.5, 2.25}, Point{1, 2}};
+  links[4].hull = {Point{1, 2}, Point{0.5, 1.75}, Point{0.5, 1.75}, Point{0, 2}};
+  const CurvedChains chains = curved_chain_expression(links, variables(6));
+  EXPECT_TRUE(chains.blocking.empty());
+  // Curves left out, the tangent cuts nothing off and adds nothing.
+  const auto holds_at = [&](const Point& p) {
+    bool signs[6];
+    for (int i = 0; i < 6; ++i)
+      signs[i] =
+          cross(links[i].direction, {p[0] - links[i].start[0], p[1] - links[i].start[1]}) >= 0;
+    return chains.expression.evaluate(std::span<const bool>(signs, 6));
+  };
+  for (const double x : {-0.5, 0.2, 0.9, 1.1, 1.8, 2.5})
+    for (const double y : {-0.5, 0.2, 1.9, 2.1, 3.0})
+      EXPECT_EQ(holds_at({x, y}), x > 0 && x < 2 && y > 0 && y < 2) << x << ", " << y;
 }
 
 }  // namespace
