@@ -104,23 +104,29 @@ double place_on(const CircularEdge& edge, const Point& point) {
                    (edge.bulge > 0 ? 1 : -1));
 }
 
-// For each side the points where it is cut, along it.
+// For each side the points where it is cut, along it: where it crosses others, and where others
+// begin and end on it, as those that lie on the same line or circle do.
 std::vector<std::vector<Point>> cuts_of(const std::vector<Side>& sides, double tolerance) {
   std::vector<Box> boxes;
   for (const Side& side : sides) boxes.push_back(side.edge.bounding_box());
   std::vector<std::vector<Point>> cuts(sides.size());
+  const auto add = [&](std::size_t side, const Point& point) {
+    const CircularEdge& edge = sides[side].edge;
+    if (edge.distance(point) <= tolerance && apart(point, edge.from) > tolerance &&
+        apart(point, edge.to) > tolerance)
+      cuts[side].push_back(point);
+  };
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j) {
       if (!overlap(boxes[i], boxes[j], tolerance)) continue;
       const CircularEdge &a = sides[i].edge, &b = sides[j].edge;
       for (const Point& point : crossings(a, b)) {
         if (a.distance(point) > tolerance || b.distance(point) > tolerance) continue;
-        for (const std::size_t k : {i, j}) {
-          const CircularEdge& edge = sides[k].edge;
-          if (apart(point, edge.from) > tolerance && apart(point, edge.to) > tolerance)
-            cuts[k].push_back(point);
-        }
+        add(i, point);
+        add(j, point);
       }
+      for (const Point& end : {a.from, a.to}) add(j, end);
+      for (const Point& end : {b.from, b.to}) add(i, end);
     }
   for (std::size_t i = 0; i < sides.size(); ++i) {
     std::ranges::sort(cuts[i], {}, [&](const Point& p) { return place_on(sides[i].edge, p); });
@@ -136,65 +142,91 @@ CircularEdge part(const CircularEdge& edge, const Point& from, const Point& to) 
   return from == edge.from ? result : result.divided_at(from)[1];
 }
 
-// What is left of a side, with neighbouring parts as one.
-void add_parts(const Side& side, std::vector<Point> cuts, const std::vector<CircularEdge>& chain,
-               double radius, std::vector<Side>& kept) {
-  cuts.insert(cuts.begin(), side.edge.from);
-  cuts.push_back(side.edge.to);
-  std::optional<Point> begin;
+// A part of a side that may be part of the boundary.
+struct Part {
+  CircularEdge edge;
+  std::size_t side;
+};
+
+// What no point of the chain is nearer to than the radius.
+void add_parts(const std::vector<Side>& sides, std::size_t side, std::vector<Point> cuts,
+               const std::vector<CircularEdge>& chain, double radius, std::vector<Part>& kept) {
+  const CircularEdge& edge = sides[side].edge;
+  cuts.insert(cuts.begin(), edge.from);
+  cuts.push_back(edge.to);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const CircularEdge piece = part(side.edge, cuts[i], cuts[i + 1]);
-    const bool is_boundary = distance_from(chain, piece.middle()) >= radius * (1 - 1e-9);
-    if (is_boundary && !begin) begin = cuts[i];
-    if (begin && !is_boundary) kept.push_back({part(side.edge, *begin, cuts[i]), side.group});
-    if (!is_boundary) begin.reset();
+    const CircularEdge piece = part(edge, cuts[i], cuts[i + 1]);
+    if (distance_from(chain, piece.middle()) >= radius * (1 - 1e-9)) kept.push_back({piece, side});
   }
-  if (begin) kept.push_back({part(side.edge, *begin, cuts.back()), side.group});
 }
 
-// A chain that runs back along itself has the same sides twice.
-std::vector<Side> without_repetitions(const std::vector<Side>& sides, double tolerance) {
-  std::vector<Side> once;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const CircularEdge& edge = sides[i].edge;
-    const auto holds = [&](const CircularEdge& other) {
-      return other.distance(edge.from) <= tolerance && other.distance(edge.middle()) <= tolerance &&
-             other.distance(edge.to) <= tolerance;
-    };
-    bool repeats = false;
-    for (std::size_t k = 0; k < sides.size() && !repeats; ++k) {
-      const CircularEdge& other = sides[k].edge;
-      const bool longer = other.chord() > edge.chord() + tolerance;
-      repeats = k != i && (longer || k < i) && holds(other);
-    }
-    if (!repeats) once.push_back(sides[i]);
+// Of parts that coincide the first; none where the stroke lies on both sides.
+std::vector<Part> without_repetitions(const std::vector<Part>& parts, double tolerance) {
+  const auto coincide = [&](const CircularEdge& a, const CircularEdge& b) {
+    return apart(a.from, b.from) <= tolerance && apart(a.to, b.to) <= tolerance &&
+           apart(a.middle(), b.middle()) <= tolerance;
+  };
+  std::vector<Part> once;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    bool is_boundary = true;
+    for (std::size_t k = 0; k < parts.size() && is_boundary; ++k)
+      is_boundary = !(k < i && coincide(parts[k].edge, parts[i].edge)) &&
+                    !(k != i && coincide(parts[k].edge, parts[i].edge.reversed()));
+    if (is_boundary) once.push_back(parts[i]);
   }
   return once;
 }
 
-// Sides one after the other, each beginning where another one ends.
-std::vector<CurvedContour> joined(const std::vector<Side>& sides, double tolerance) {
+// The part that goes on where `before` ends; where several do, the one farthest to the left.
+std::size_t next_part(const std::vector<Part>& parts, const std::vector<bool>& used,
+                      const CircularEdge& before, double tolerance) {
+  std::size_t next = parts.size();
+  double leftmost = 0;
+  const Point in = before.end_direction();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (used[k] || apart(before.to, parts[k].edge.from) > tolerance) continue;
+    const Point out = parts[k].edge.start_direction();
+    const double turn =
+        std::atan2(in[0] * out[1] - in[1] * out[0], in[0] * out[0] + in[1] * out[1]);
+    if (next < parts.size() && turn <= leftmost) continue;
+    next = k;
+    leftmost = turn;
+  }
+  return next;
+}
+
+// Parts one after the other, each beginning where another one ends; those of a side that follow
+// each other as one.
+std::vector<CurvedContour> joined(const std::vector<Part>& parts, const std::vector<Side>& sides,
+                                  double tolerance) {
   std::vector<CurvedContour> contours;
-  std::vector<bool> used(sides.size(), false);
+  std::vector<bool> used(parts.size(), false);
   std::map<std::string, int> counts;
-  for (std::size_t first = 0; first < sides.size(); ++first) {
+  for (std::size_t first = 0; first < parts.size(); ++first) {
     if (used[first]) continue;
-    CurvedContour& contour = contours.emplace_back();
-    for (std::size_t i = first;;) {
+    std::vector<Part> loop;
+    for (std::size_t i = first; i < parts.size();) {
       used[i] = true;
-      contour.points.push_back(sides[i].edge.from);
-      contour.edges.push_back({sides[i].edge.bulge, {}});
-      contour.groups.emplace_back(sides[i].group);
-      contour.names.push_back(sides[i].group + std::to_string(++counts[sides[i].group]));
-      std::size_t next = sides.size();
-      for (std::size_t k = 0; k < sides.size(); ++k)
-        if ((k == first || !used[k]) && apart(sides[i].edge.to, sides[k].edge.from) <= tolerance &&
-            (next == sides.size() || apart(sides[i].edge.to, sides[k].edge.from) <
-                                         apart(sides[i].edge.to, sides[next].edge.from)))
-          next = k;
-      if (next == sides.size()) throw InvalidArgument("the stroke touches itself");
-      if (next == first) break;
-      i = next;
+      if (!loop.empty() && loop.back().side == parts[i].side)
+        loop.back().edge = part(sides[parts[i].side].edge, loop.back().edge.from, parts[i].edge.to);
+      else
+        loop.push_back(parts[i]);
+      if (apart(parts[i].edge.to, parts[first].edge.from) <= tolerance) break;
+      i = next_part(parts, used, parts[i].edge, tolerance);
+      if (i == parts.size()) throw InvalidArgument("the stroke touches itself");
+    }
+    if (loop.size() > 1 && loop.front().side == loop.back().side) {
+      const CircularEdge& edge = sides[loop.front().side].edge;
+      loop.front().edge = part(edge, loop.back().edge.from, loop.front().edge.to);
+      loop.pop_back();
+    }
+    CurvedContour& contour = contours.emplace_back();
+    for (const Part& piece : loop) {
+      const std::string group = sides[piece.side].group;
+      contour.points.push_back(piece.edge.from);
+      contour.edges.push_back({piece.edge.bulge, {}});
+      contour.groups.push_back(group);
+      contour.names.push_back(group + std::to_string(++counts[group]));
     }
   }
   return contours;
@@ -229,10 +261,10 @@ std::vector<CurvedContour> stroke_outline(const std::vector<CircularEdge>& chain
     size = std::max({size, std::fabs(side.edge.from[0]), std::fabs(side.edge.from[1])});
   const double tolerance = 1e-10 * size;
   const auto cuts = cuts_of(all.sides(), tolerance);
-  std::vector<Side> kept;
+  std::vector<Part> kept;
   for (std::size_t i = 0; i < cuts.size(); ++i)
-    add_parts(all.sides()[i], cuts[i], chain, radius, kept);
-  return joined(without_repetitions(kept, 10 * tolerance), 10 * tolerance);
+    add_parts(all.sides(), i, cuts[i], chain, radius, kept);
+  return joined(without_repetitions(kept, 10 * tolerance), all.sides(), 10 * tolerance);
 }
 
 }  // namespace rfm

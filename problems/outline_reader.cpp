@@ -10,6 +10,7 @@
 #include "core/exact_distances.hpp"
 #include "core/polygon.hpp"
 #include "core/stroke.hpp"
+#include "core/stroke_region.hpp"
 #include "problems/point_files.hpp"
 #include "problems/text_files.hpp"
 
@@ -95,6 +96,12 @@ Outline outline_of(const std::vector<CurvedContour>& contours, bool exact) {
   outline.region = with_exact_sides(outline.region);
   outline.distance = contour_distance(contours);
   return outline;
+}
+
+// What is near a chain. The distance needs an outline.
+Outline stroke_of(const std::vector<CircularEdge>& chain, bool closed, double width, bool exact) {
+  return exact ? outline_of(stroke_outline(chain, closed, width), true)
+               : stroke(chain, closed, width);
 }
 
 // The inside of a closed spline. Its sides are the spans, edge i from point i to point i + 1.
@@ -185,10 +192,9 @@ std::optional<Outline> OutlineReader::read_stroke(const std::string& kind,
   const bool closed =
       is_true(loop) || !width || (points.size() > 2 && points.front() == points.back());
   const bool exact = is_true(values_.find(node, "exact"));
-  if (kind == "polyline")
-    return outline_of(stroke_outline(polyline_edges(points, closed), closed, *width), exact);
+  if (kind == "polyline") return stroke_of(polyline_edges(points, closed), closed, *width, exact);
   const ArcSpline spline = arc_spline(points, closed);
-  return outline_of(width ? stroke_outline(spline.edges, closed, *width) : filled(spline), exact);
+  return width ? stroke_of(spline.edges, closed, *width, exact) : outline_of(filled(spline), exact);
 }
 
 }  // namespace rfm
