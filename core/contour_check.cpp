@@ -13,11 +13,19 @@ double area(const Point& a, const Point& b, const Point& c) {
   return cross({b[0] - a[0], b[1] - a[1]}, {c[0] - a[0], c[1] - a[1]});
 }
 
+// On which side of a chord a point lies; on its line, where `winds_around` takes it to lie: as if
+// moved a little to the right and, by still less, up.
+int side_of(const Point& p, const Point& q, const Point& x) {
+  const int side = orientation(p, q, x);
+  if (side != 0) return side;
+  if (p[1] != q[1]) return q[1] > p[1] ? -1 : 1;
+  return q[0] > p[0] ? 1 : -1;
+}
+
 // Whether a point lies between a curve and its chord.
 bool in_cap(const CurvePiece& piece, double radius, const Point& x) {
   const Point &p = piece.from, &q = piece.to;
-  // The ends count as on the left, as they do for the polygon of chords.
-  if ((orientation(p, q, x) < 0) != (piece.turn > 0)) return false;
+  if ((side_of(p, q, x) < 0) != (piece.turn > 0)) return false;
   if (radius > 0) {  // see `disk_primitive`
     const double u = x[0] - (p[0] + q[0]) / 2, v = x[1] - (p[1] + q[1]) / 2;
     const double dx = q[0] - p[0], dy = q[1] - p[1], length = std::hypot(dx, dy);

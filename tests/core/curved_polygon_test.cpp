@@ -305,7 +305,7 @@ constexpr double flat = 2e-9;
 enum class Smooth { airfoil, snake, round_rectangle };
 
 // Curves that cross themselves or turn back are passed over.
-void expect_smooth_contours(Smooth kind, double margin, int seed, int count) {
+void expect_smooth_contours(Smooth kind, double margin, double most_refused, int seed, int count) {
   RandomPolygons random(seed);
   int compared = 0, refused = 0;
   for (int i = 0; i < count; ++i) {
@@ -334,25 +334,25 @@ void expect_smooth_contours(Smooth kind, double margin, int seed, int count) {
     if (testing::Test::HasFatalFailure()) FAIL() << "contour " << i << " rounded to " << unit;
   }
   EXPECT_GT(compared, 0.6 * count);
-  EXPECT_LE(refused, 0.03 * count);
+  EXPECT_LE(refused, most_refused * count);
 }
 
 TEST(CurvedPolygons, OfSplinesWithInflectionsAtNarrowPlacesKeepTheirInside) {
-  expect_smooth_contours(Smooth::airfoil, flat, 31, 12);
-  expect_smooth_contours(Smooth::snake, flat, 32, 12);
+  expect_smooth_contours(Smooth::airfoil, flat, 0.01, 31, 12);
+  expect_smooth_contours(Smooth::snake, flat, 0.01, 32, 12);
 }
 TEST(LongCurvedPolygons, OfSplinesWithInflectionsAtNarrowPlacesKeepTheirInside) {
-  expect_smooth_contours(Smooth::airfoil, flat, 33, 500);
-  expect_smooth_contours(Smooth::snake, flat, 34, 500);
+  expect_smooth_contours(Smooth::airfoil, flat, 0.01, 33, 500);
+  expect_smooth_contours(Smooth::snake, flat, 0.01, 34, 500);
 }
 
 // Through points of lines, rounded, splines wind about them by that much: extended chords of one
-// wind meet others, and are off by less than what the curve is wide.
+// wind meet others, and are off by less than what the curve is wide. Some are refused.
 TEST(CurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
-  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 35, 20);
+  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 0.15, 35, 20);
 }
 TEST(LongCurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
-  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 36, 500);
+  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 0.15, 36, 500);
 }
 
 TEST(CurvedPolygons, OfAirfoilsKeepTheirInside) {
