@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
@@ -56,6 +57,17 @@ Form weak_value(const ScalarProblem& problem, const PieceCondition& condition, c
   }
 }
 
+// The size of a cell; of functions of the whole domain, Nitsche's method has the degree beside the
+// size of the domain, and weights of residuals have the size by the degree.
+double cell_size(const Problem& problem, const Grid& grid) {
+  const Discretization& discretization = problem.discretization;
+  const bool global = discretization.basis != Discretization::Basis::bspline;
+  double h = INFINITY;
+  for (int axis = 0; axis < grid.dimension(); ++axis)
+    h = std::min(h, global ? grid.box().length(axis) : grid.smallest_width(axis));
+  return global && uses_residuals(problem) ? h / std::max(1, discretization.degree) : h;
+}
+
 double integral_of_energy(const Form& form, const std::vector<Field>& fields,
                           const DomainRule& rule) {
   Field density = form.density(fields);
@@ -77,8 +89,7 @@ bool uses_forms(const ScalarProblem& problem) {
 }
 
 std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) {
-  double h = grid.smallest_width(0);
-  for (int axis = 1; axis < grid.dimension(); ++axis) h = std::min(h, grid.smallest_width(axis));
+  const double h = cell_size(problem.problem(), grid);
   std::vector<Form> list =
       problem.problem().physics.custom
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())

@@ -174,10 +174,16 @@ void read_factorization(const DocumentNode& solver, ValueReader& values, Discret
                         factorization->place);
 }
 
-// Extended splines are those of systems; rows at points have splines of their own.
-void check_extension(const DocumentNode& map, ValueReader& values, const Discretization& result) {
+// Extended splines and functions of the whole domain are those of systems; rows at points have
+// splines of their own.
+void check_basis(const DocumentNode& map, ValueReader& values, const Discretization& result) {
   const bool at_points = result.method == Discretization::Method::collocation ||
                          result.factorization == Discretization::Factorization::qr;
+  if (result.basis != Discretization::Basis::bspline && at_points)
+    values.mistakes.add(
+        "functions of the whole domain are found by Ritz's and Galerkin's method, and by least "
+        "squares with normal equations",
+        map.find("basis")->place);
   if (result.extension && at_points)
     values.mistakes.add(
         "splines are extended by Ritz's and Galerkin's method, and by least squares with normal "
@@ -241,7 +247,7 @@ Discretization read_discretization(const DocumentNode& root, ValueReader& values
     if (const DocumentNode* threads = values.find(*solver, "threads"))
       result.threads = values.integer(*threads);
   }
-  check_extension(*map, values, result);
+  check_basis(*map, values, result);
   return result;
 }
 

@@ -104,7 +104,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   bounds_ = found.box;
   bounds_excess_ = found.excess;
   check_method(problem);
-  if (problem.study.type == Study::Type::eigen || has_global_functions()) check_equations();
+  if (problem.study.type == Study::Type::eigen) check_modes();
   // Which primitives bound the domain, and whether data are defined, is seen on the problem's grid
   // with few points.
   QuadratureOptions coarse;
@@ -162,21 +162,17 @@ bool ScalarProblem::has_global_functions() const {
   return problem_.discretization.basis != Discretization::Basis::bspline;
 }
 
-void ScalarProblem::check_equations() const {
+void ScalarProblem::check_modes() const {
   using Method = Discretization::Method;
   const Method method = problem_.discretization.method;
-  if (interpolates()) return;
   if (problem_.physics.custom && problem_.physics.coefficients.contains("mass") &&
-      !has_global_functions() && method == Method::ritz)
+      method == Method::ritz)
     return;  // whether its energy is quadratic, its forms tell
   if (problem_.physics.custom || depend_on_solution(coefficients_) ||
       !coefficients_.advection.empty() || method == Method::least_squares ||
       method == Method::collocation)
-    refuse(fmt::format(
-               "{} of equations that do not follow from a quadratic energy are not "
-               "supported yet",
-               has_global_functions() ? "functions of the whole domain for solutions" : "modes"),
-           problem_.document.place);
+    refuse("modes are those of a quadratic energy and a mass",
+           problem_.physics.custom ? problem_.physics.custom->place : problem_.document.place);
 }
 
 void ScalarProblem::check_torsion(const DomainRule& rule) const {

@@ -154,8 +154,10 @@ class ScalarProblem {
   bool may_use_qr() const;
   bool must_use_qr() const;
   bool has_global_functions() const;
-  void solve_equations(ScalarSolution& solution) const;
-  void solve_eigen(const Equations& equations, ScalarSolution& solution) const;
+  GlobalSpaces global_spaces(const Grid& grid) const;
+  void solve_global_energy(ScalarSolution& solution) const;
+  void solve_global_forms(ScalarSolution& solution) const;
+  void solve_eigen(ScalarSolution& solution) const;
   LinearSolverOptions linear_options() const;
   bool fixed_up_to_constant() const;
   /// Then a rule is not one for the domain.
@@ -163,7 +165,7 @@ class ScalarProblem {
   void check_within_grid(const DomainRule& rule) const;
   void check_no_robin() const;
   void check_torsion(const DomainRule& rule) const;
-  void check_equations() const;
+  void check_modes() const;
   void check_directions(const DomainRule& rule) const;
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,

@@ -104,13 +104,12 @@ double ScalarProblem::stored_energy(const LinearSystem& system,
 bool ScalarProblem::is_solved(const std::vector<Form>& equations,
                               const std::vector<TensorProductSpace>& functions,
                               const LinearSystem& system, ScalarSolution& solution) const {
-  constexpr double precision = 1e-9;
   const std::vector<Structure> structures = this->structures(solution.rule.grid());
   const Eigen::VectorXd& coefficients = solution.linear.coefficients;
   const LinearSystem there =
       tangent_at(equations, solution_fields(structures, functions, coefficients), structures,
                  functions, solution.rule);
-  if (departure_from_linear(system, coefficients, there.right_hand_side) <= precision) return true;
+  if (is_linear_at(system, coefficients, there.right_hand_side)) return true;
   solution.linearity = Linearity::none;
   return false;
 }
@@ -132,8 +131,13 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
     require_values(plans_, solution);
     return solution;
   }
-  if (problem_.study.type == Study::Type::eigen || has_global_functions()) {
-    solve_equations(solution);
+  if (problem_.study.type == Study::Type::eigen) {
+    solve_eigen(solution);
+    return solution;
+  }
+  if (has_global_functions()) {
+    solution.results.dimension = problem_.dimension;
+    uses_forms(*this) ? solve_global_forms(solution) : solve_global_energy(solution);
     return solution;
   }
   const std::vector<TensorProductSpace> functions = spaces(solution.rule);
