@@ -195,6 +195,9 @@ void BoundaryReader::read_condition(const DocumentNode& node) {
   if (const DocumentNode* enforce = values_.find(node, "enforce"))
     condition.enforcement =
         enforce->text == "weak" ? Condition::Enforcement::weak : Condition::Enforcement::structure;
+  if (const DocumentNode* periodic = values_.find(node, "periodic"))
+    if (const DocumentNode* to = values_.find(*periodic, "to"))
+      for (BoundaryTarget& target : targets(*to)) condition.targets.push_back(std::move(target));
   read_condition_data(node, values_, problem_.physics, condition);
   problem_.conditions.push_back(std::move(condition));
 }

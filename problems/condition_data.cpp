@@ -60,6 +60,11 @@ class ConditionDataReader {
         values_.mistakes.add("nothing is prescribed here that could be enforced", enforce->place);
     } else if (const DocumentNode* clamped = values_.find(node_, "clamped")) {
       read_clamped(*clamped);
+    } else if (values_.find(node_, "periodic")) {
+      condition_.kind = Kind::value;  // of no unknown
+      if (const DocumentNode* enforce = values_.find(node_, "enforce"))
+        values_.mistakes.add("splines are periodic: nothing is left to be enforced",
+                             enforce->place);
     } else if (values_.results.flux.empty()) {
       values_.mistakes.add(
           "custom physics have no flux of their own: write free: true here, and the integral of "

@@ -11,17 +11,20 @@
 #include "solvers/extension.hpp"
 #include "solvers/free_functions.hpp"
 #include "solvers/kernel.hpp"
+#include "solvers/periodic_splines.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
 namespace {
 
 // What the equations leave free, as the level of a pressure or rigid motions, is pinned somehow.
+// The candidates are those of the functions whose coefficients the system is for.
 LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctions& candidates,
+                                   const Eigen::MatrixXd& coefficients,
                                    const std::vector<std::string>& unknowns,
                                    const LinearSolverOptions& options,
                                    const std::function<LinearSystem()>& finer) {
-  const Kernel kernel(system, candidates.coefficients(), finer);
+  const Kernel kernel(system, coefficients, finer);
   LinearSolution solution = rfm::solve(kernel.pinned(system), options);
   // Quadrature keeps the balance of loads to its own error, which is that of the solution.
   const double missing = kernel.incompatibility(system, solution.coefficients);
@@ -31,16 +34,6 @@ LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctio
                     "balance (by {:.1e} "
                     "of all loads)",
                     candidates.text(kernel.weights(), unknowns), missing));
-  return solution;
-}
-
-// In the splines inside the domain, to which the others are attached.
-LinearSolution solve_extended(const LinearSystem& system,
-                              const std::vector<TensorProductSpace>& functions,
-                              const DomainRule& rule, const LinearSolverOptions& options) {
-  const SplineExtension extension(functions, rule);
-  LinearSolution solution = rfm::solve(extension.extended(system), options);
-  solution.coefficients = extension.matrix * solution.coefficients;
   return solution;
 }
 
@@ -81,26 +74,47 @@ LinearSolution ScalarProblem::solve_determined(const LinearSystem& system,
   }
 }
 
+std::optional<SplineExtraction> ScalarProblem::extraction(
+    const std::vector<TensorProductSpace>& functions, const DomainRule& rule) const {
+  if (problem_.discretization.extension) return SplineExtension(functions, rule);
+  if (!periodic_.empty()) return periodic_splines(functions, periodic_axes(periodic_));
+  return std::nullopt;
+}
+
 LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
                                          const std::vector<TensorProductSpace>& functions,
                                          bool free_constant, ScalarSolution& solution) const {
   Stopwatch assembly;
-  LinearSystem system = assemble(structures(solution.rule.grid()), functions, parts, solution.rule);
-  if (free_constant) pin_one(system);
+  const std::vector<Structure> structures = this->structures(solution.rule.grid());
+  LinearSystem system = assemble(structures, functions, parts, solution.rule);
   solution.seconds.assembly = assembly.seconds();
   Stopwatch solve;
-  solution.linear =
-      problem_.discretization.extension
-          ? solve_extended(system, functions, solution.rule, linear_options())
-      : free_constant || !uses_forms(*this)
-          ? solve_determined(system, functions, solution)
-          : solve_beside_kernel(system, FreeFunctions(structures(solution.rule.grid()), functions),
-                                problem_.physics.unknowns, linear_options(), [&] {
-                                  return assemble(structures(solution.rule.grid()), functions,
-                                                  parts, finer_rule(solution.rule.grid()));
-                                });
-  if (function_count() > unknown_count() && !problem_.discretization.extension)
-    solution.undetermined = undetermined_part(system, functions, solution, linear_options());
+  const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
+  std::optional<LinearSystem> folded;
+  if (extraction) folded = extraction->folded(system);
+  LinearSystem& solved = folded ? *folded : system;
+  if (free_constant) pin_one(solved);
+  if (!free_constant && uses_forms(*this) && !problem_.discretization.extension) {
+    const FreeFunctions candidates(structures, functions);
+    solution.linear = solve_beside_kernel(
+        solved, candidates,
+        extraction ? extraction->reduced(candidates.coefficients()) : candidates.coefficients(),
+        problem_.physics.unknowns, linear_options(), [&] {
+          const LinearSystem finer =
+              assemble(structures, functions, parts, finer_rule(solution.rule.grid()));
+          return extraction ? extraction->folded(finer) : finer;
+        });
+  } else if (extraction) {
+    solution.linear = rfm::solve(solved, linear_options());
+  } else {
+    solution.linear = solve_determined(solved, functions, solution);
+  }
+  if (extraction) {
+    solution.linear.coefficients = extraction->matrix * solution.linear.coefficients;
+    solution.unknowns = static_cast<int>(extraction->matrix.cols());
+  } else if (function_count() > unknown_count()) {
+    solution.undetermined = undetermined_part(solved, functions, solution, linear_options());
+  }
   solution.seconds.solve = solve.seconds();
   return system;
 }

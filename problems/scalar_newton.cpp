@@ -46,7 +46,8 @@ bool ScalarProblem::may_use_qr() const {
   return problem_.discretization.method == Discretization::Method::least_squares &&
          problem_.discretization.factorization == Discretization::Factorization::automatic &&
          function_count() == unknown_count() && !fixed_up_to_constant() &&
-         !problem_.discretization.continuation && !problem_.discretization.extension;
+         !problem_.discretization.continuation && !problem_.discretization.extension &&
+         periodic_.empty();
 }
 
 void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
@@ -121,9 +122,8 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
   options.finer_rule = [&] { return finer_rule(grid); };
-  std::optional<SplineExtension> extension;
-  if (problem_.discretization.extension)
-    options.extension = &extension.emplace(functions, solution.rule);
+  const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
+  if (extraction) options.extraction = &*extraction;
   std::optional<Eigen::VectorXd> start;
   for (const ContinuationStop& stop : continuation_stops(problem_)) {
     start = solved_stop(stop, functions, solution.rule, linear_options(), options, start);

@@ -129,6 +129,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   if (!problem.physics.custom && !is_isotropic(coefficients_, problem.dimension)) check_no_robin();
   check_directions(probe);
   plan_values(probe);
+  plan_periodic(probe);
   irregularities_ = rfm::irregularities(region_, bounds_);
 }
 
@@ -183,6 +184,21 @@ void ScalarProblem::check_torsion(const DomainRule& rule) const {
         "torsion of a section with holes, on each of which u is a constant of its own, is not "
         "supported yet",
         domain_place(problem_));
+}
+
+void ScalarProblem::plan_periodic(const DomainRule& probe) {
+  periodic_ = periodic_pairs(problem_, region_.region(), probe);
+  if (periodic_.empty()) return;
+  const Place& place = periodic_[0].place;
+  const Discretization& discretization = problem_.discretization;
+  if (problem_.study.type == Study::Type::eigen || has_global_functions() ||
+      discretization.extension || !grid().is_uniform() || must_use_qr() ||
+      discretization.method == Discretization::Method::collocation)
+    refuse(
+        "splines are periodic on equal cells, in steady problems by the methods of Ritz and "
+        "Galerkin and by least squares with normal equations",
+        place);
+  check_periodic(structures(probe.grid()), periodic_, probe);
 }
 
 void ScalarProblem::check_no_robin() const {

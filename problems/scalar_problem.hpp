@@ -12,6 +12,7 @@
 #include "problems/boundary_conditions.hpp"
 #include "problems/eigen_study.hpp"
 #include "problems/natural_structure.hpp"
+#include "problems/periodic_sides.hpp"
 #include "problems/problem_grid.hpp"
 #include "problems/problem_interfaces.hpp"
 #include "problems/result_scope.hpp"
@@ -132,6 +133,9 @@ class ScalarProblem {
   /// unknowns, p on boundaries.
   DomainRule collocation_rule(const Grid& grid) const;
   std::vector<Contribution> contributions(const Grid& grid) const;
+  /// Combinations of splines in which solutions are looked for; nothing: in all.
+  std::optional<SplineExtraction> extraction(const std::vector<TensorProductSpace>& functions,
+                                             const DomainRule& rule) const;
   LinearSystem solve_linear(const std::vector<Contribution>& parts,
                             const std::vector<TensorProductSpace>& functions, bool free_constant,
                             ScalarSolution& solution) const;
@@ -166,6 +170,7 @@ class ScalarProblem {
   void check_no_robin() const;
   void check_torsion(const DomainRule& rule) const;
   void check_modes() const;
+  void plan_periodic(const DomainRule& probe);
   void check_directions(const DomainRule& rule) const;
   void check_compatible(const DomainRule& rule) const;
   double stored_energy(const LinearSystem& system, const std::vector<Contribution>& parts,
@@ -193,6 +198,7 @@ class ScalarProblem {
   std::vector<Irregularity> irregularities_;
   std::vector<Structure> structures_;  // without corrections for natural conditions
   std::vector<NaturalPiece> natural_;
+  std::vector<PeriodicPair> periodic_;
   StructureOptions inner_;
   bool own_use_cells_ = false;  // structures of the user's own depend on the grid
 };

@@ -189,8 +189,14 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
       return parts.empty() ? tangent_at(equations, fields, structures, functions, rule)
                            : assemble(structures, functions, parts, rule);
     };
-    const Kernel kernel(parts.empty() ? tangent(solution.rule) : std::move(system),
-                        candidates.coefficients(), [&] { return tangent(finer_rule(grid)); });
+    const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
+    const auto reduced = [&](LinearSystem of_all) {
+      return extraction ? extraction->folded(of_all) : of_all;
+    };
+    const Kernel kernel(
+        reduced(parts.empty() ? tangent(solution.rule) : std::move(system)),
+        extraction ? extraction->reduced(candidates.coefficients()) : candidates.coefficients(),
+        [&] { return reduced(tangent(finer_rule(grid))); });
     solution.mean_set_to_zero = kernel.size() > 0;
     fields = candidates.without(kernel.weights(), std::move(fields), solution.rule);
   }

@@ -100,9 +100,9 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"conditions[].oblique.direction", list_value, required, "The direction."},
     {"conditions[].oblique.direction[]", expression_value, required, "A component."},
     {"conditions[].oblique.value", expression_value, required, "The derivative."},
-    {"conditions[].periodic", map_value, alternative, "The same values as at another region.",
-     later},
-    {"conditions[].periodic.to", name_value, required, "The other region."},
+    {"conditions[].periodic", map_value, alternative,
+     "u goes on at another side, the opposite one of the box of the grid."},
+    {"conditions[].periodic.to", name_value, required, "The other side."},
     {"conditions[].interface", map_value, alternative,
      "Across the boundary of a shape inside the domain the slope of u is free to jump, as "
      "materials make it."},

@@ -1,26 +1,17 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
-#include "solvers/linear_system.hpp"
+#include "solvers/extraction.hpp"
 
 namespace rfm {
 
-/// Extended splines (basis/web_extension.hpp) of several spaces on the grid of a rule.
-struct SplineExtension {
-  /// E: coefficients of all splines are E times those of the inner ones.
-  SparseMatrix matrix;
-  /// The inner ones among all functions.
-  std::vector<Eigen::Index> inner;
-
+/// Extended splines (basis/web_extension.hpp) of several spaces on the grid of a rule: the inner
+/// ones, to which the others are attached.
+struct SplineExtension : SplineExtraction {
   SplineExtension(std::span<const TensorProductSpace> spaces, const DomainRule& rule);
-  /// Eᵀ K E y = Eᵀ f: the same equations for the extended splines.
-  LinearSystem extended(const LinearSystem& system) const;
-  /// y of coefficients c = E y: those of the inner ones. By columns.
-  Eigen::MatrixXd reduced(const Eigen::MatrixXd& coefficients) const;
 };
 
 }  // namespace rfm

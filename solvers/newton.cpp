@@ -172,17 +172,17 @@ NewtonSolution solve_newton(std::span<const Structure> structures,
                             const FieldArguments& arguments) {
   std::vector<Structure> changes;
   for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
-  const SplineExtension* extension = options.extension;
-  // Coefficients of all splines, from those of extended ones if there are such.
+  const SplineExtraction* extraction = options.extraction;
+  // Coefficients of all splines, from those of combinations if there are such.
   const auto all = [&](const Vector& coefficients) {
-    return extension ? Vector(extension->matrix * coefficients) : coefficients;
+    return extraction ? Vector(extraction->matrix * coefficients) : coefficients;
   };
   const auto assembled = [&](const Vector& coefficients, const DomainRule& points) {
     const std::vector<Field> fields = solution_fields(structures, spaces, all(coefficients));
     std::vector<Contribution> contributions;
     for (const Form& form : forms) contributions.push_back(form.linearized(fields));
     LinearSystem system = assemble(changes, spaces, contributions, points, arguments);
-    return extension ? extension->extended(system) : system;
+    return extraction ? extraction->folded(system) : system;
   };
   NewtonEquations equations;
   equations.at = [&](const Vector& coefficients) { return assembled(coefficients, rule); };
@@ -195,9 +195,9 @@ NewtonSolution solve_newton(std::span<const Structure> structures,
   Eigen::Index size = 0;
   for (const TensorProductSpace& space : spaces) size += space.size();
   Vector first = start.value_or(Vector::Zero(size));
-  if (extension) {
-    equations.candidates = extension->reduced(equations.candidates);
-    first = extension->reduced(first);
+  if (extraction) {
+    equations.candidates = extraction->reduced(equations.candidates);
+    first = extraction->reduced(first);
   }
   NewtonSolution solution = solve_newton(equations, first, linear_options, options);
   solution.linear.coefficients = all(solution.linear.coefficients);

@@ -10,7 +10,7 @@
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
-#include "solvers/extension.hpp"
+#include "solvers/extraction.hpp"
 #include "solvers/field_arguments.hpp"
 #include "solvers/form.hpp"
 #include "solvers/linear_solver.hpp"
@@ -30,8 +30,9 @@ struct NewtonOptions {
   /// Of collocation: the forms are linear by their values (solvers/linearity.hpp), so that one step
   /// is the solution if the residuals behind it are those that the step foretells.
   bool looks_linear = false;
-  /// Of forms: extended splines, in which the solution is looked for; it must outlive the call.
-  const SplineExtension* extension = nullptr;
+  /// Of forms: extended or periodic splines, in which the solution is looked for; it must outlive
+  /// the call.
+  const SplineExtraction* extraction = nullptr;
   /// Of forms: the rule with more points, by which `Kernel` tells errors of quadrature from what
   /// holds a function softly.
   std::function<DomainRule()> finer_rule{};

@@ -32,7 +32,7 @@ struct Approximation {
   LinearSolution plain() const { return solve(system); }
   LinearSolution extended() const {
     const SplineExtension extension(spaces, rule);
-    LinearSolution solution = solve(extension.extended(system));
+    LinearSolution solution = solve(extension.folded(system));
     solution.coefficients = extension.matrix * solution.coefficients;
     return solution;
   }
@@ -83,8 +83,8 @@ TEST(SplineExtension, SystemsWithoutSymmetryAreExtendedToo) {
   whole.matrix = SparseMatrix(own.system.matrix.selfadjointView<Eigen::Lower>());
   whole.symmetric = false;
   const SplineExtension extension(own.spaces, own.rule);
-  const Eigen::VectorXd a = solve(extension.extended(whole)).coefficients;
-  const Eigen::VectorXd b = solve(extension.extended(own.system)).coefficients;
+  const Eigen::VectorXd a = solve(extension.folded(whole)).coefficients;
+  const Eigen::VectorXd b = solve(extension.folded(own.system)).coefficients;
   EXPECT_LT((a - b).norm(), 1e-11 * b.norm());
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
+#include "solvers/extension.hpp"
 #include "tests/solvers/sample_problems.hpp"
 
 namespace rfm {
@@ -195,7 +196,7 @@ TEST(Newton, FindsTheSolutionInExtendedSplines) {
                                             problem.omega * Structure::undetermined()};
     const SplineExtension extension(spaces, rule);
     NewtonOptions options;
-    options.extension = &extension;
+    options.extraction = &extension;
     const NewtonSolution solution =
         solve_newton(structures, spaces, std::span(&problem.form, 1), rule, {}, options);
     EXPECT_GT(*solution.order(), 1.7);
