@@ -128,9 +128,9 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   check_materials(problem, probe);
   if (!problem.physics.custom && !is_isotropic(coefficients_, problem.dimension)) check_no_robin();
   check_directions(probe);
+  irregularities_ = rfm::irregularities(region_, bounds_);
   plan_values(probe);
   plan_periodic(probe);
-  irregularities_ = rfm::irregularities(region_, bounds_);
 }
 
 bool ScalarProblem::has_irregular_weight() const {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/regular_form.hpp"
+#include "core/tape.hpp"
 #include "problems/function_support.hpp"
 #include "problems/inner_structure.hpp"
 #include "problems/interpolation.hpp"
@@ -51,6 +53,22 @@ bool pieces_are_short(const std::vector<PieceCondition>& conditions, const Domai
     short_ones += rule.boundary_measure(piece.primitive) < cell;
   }
   return values > few && 2 * short_ones > values;
+}
+
+// Whether a weight is zero inside the domain, where its R-function is: what it multiplies could not
+// be other than the data there.
+bool vanishes_inside(const Field& weight, const std::vector<Irregularity>& irregularities,
+                     const DomainRule& probe) {
+  if (std::ranges::none_of(irregularities, [](const Irregularity& found) {
+        return found.kind == Irregularity::Kind::interior_zero;
+      }))
+    return false;
+  const double most = maximum(weight, probe);
+  const Tape tape({weight}, {0}, probe.dimension());
+  return std::ranges::any_of(irregularities, [&](const Irregularity& found) {
+    return found.kind == Irregularity::Kind::interior_zero &&
+           !(std::fabs(tape.value(found.place)) > 1e-7 * most);
+  });
 }
 
 bool contains(const std::vector<PieceCondition>& list, const PieceCondition& condition) {
@@ -143,19 +161,33 @@ DirichletPlan ScalarProblem::automatic_plan(int component, const DomainRule& pro
         condition.kind != Condition::Kind::value || condition.data[0].is_constant() ||
         (is_regular(condition.data[0], region_, bounds_) && is_defined(condition.data[0], probe)));
   }
-  const bool are_short = !has_global_functions() &&
-                         std::holds_alternative<AutomaticRule>(problem_.combine.rule) &&
-                         pieces_are_short(own, probe);
-  if (are_short)
+  const bool is_automatic =
+      !has_global_functions() && std::holds_alternative<AutomaticRule>(problem_.combine.rule);
+  const bool are_short = is_automatic && pieces_are_short(own, probe);
+  const auto enforce_weakly = [&] {
     for (PieceCondition& condition : own)
       if (condition.enforcement == Condition::Enforcement::automatic)
         condition.enforcement = Condition::Enforcement::weak;
+  };
+  if (are_short) enforce_weakly();
   try {
-    DirichletPlan plan = plan_dirichlet(own, region_, bounds_, problem_.combine, regular, form);
+    const auto plan_own = [&] {
+      return plan_dirichlet(own, region_, bounds_, problem_.combine, regular, form);
+    };
+    DirichletPlan plan = plan_own();
     if (are_short)
       plan.remarks.emplace_back(
           "values are enforced weakly: most pieces are shorter than a cell, where a structure is "
           "rough");
+    if (!is_automatic || plan.uses_regular_form || plan.by_structure.empty() ||
+        std::ranges::any_of(plan.by_structure, &PieceCondition::clamped) ||
+        !vanishes_inside(plan.weight.function, irregularities_, probe))
+      return plan;
+    enforce_weakly();
+    plan = plan_own();
+    plan.remarks.emplace_back(
+        "values are enforced weakly: the function of the domain is zero inside it, and a structure "
+        "would be, too");
     return plan;
   } catch (const InvalidArgument& error) {  // a cap that is not positive, corners inside
     const DocumentNode* geometry = problem_.document.find("geometry");
