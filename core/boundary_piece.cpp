@@ -57,9 +57,10 @@ BoundaryPiece boundary_piece(int primitive, const RegionEvaluator& region, const
     const Field across =
         select(apply(Operation::less, {piece.from_inside, -1e-9 * bounds.longest_side()}),
                -piece.from_inside, piece.from_inside);
-    piece.from_inside = trim_from_inside(across, where);
+    piece.from_inside = trim_from_inside(across, where, bounds.longest_side());
   }
-  piece.function = piece.whole ? abs(source.function) : trim(source.function, where);
+  piece.function =
+      piece.whole ? abs(source.function) : trim(source.function, where, bounds.longest_side());
   if (side == Side::both) piece.from_inside = piece.function;
   return piece;
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/normalization_length.hpp"
+
 namespace rfm {
 namespace {
 
@@ -40,13 +42,13 @@ Primitive conic_primitive(const CurvePiece& piece) {
   const Barycentric place(piece);
   const double w = piece.weight;
   const Field level = 4 * w * w * (place.a * place.c) - place.b * place.b;
-  return {"", normalize(level, 2), level};
+  return {"", normalize_by_itself(level, 2), level};
 }
 
 Primitive branch_primitive(const CurvePiece& piece) {
   const Barycentric place(piece);
   const Field level = 1.0 - place.b;
-  return {"", normalize(level, 2), level, true};
+  return {"", normalize_by_itself(level, 2), level, true};
 }
 
 Field part_of_curve(const CurvedEdge& edge) {

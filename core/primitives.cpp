@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/normalization_length.hpp"
 #include "core/same_sign.hpp"
 #include "core/sector_sides.hpp"
 #include "core/segment_distance.hpp"
@@ -106,7 +107,7 @@ Region ellipse(const Point& center, const Point& radii, double angle) {
     return axis == 0 ? std::hypot(radii[0] * cosine, radii[1] * sine)
                      : std::hypot(radii[0] * sine, radii[1] * cosine);
   });
-  return unnamed(normalize(level, 2), level, 2).within(box);
+  return unnamed(normalize_within(level, std::min(radii[0], radii[1]), 2), level, 2).within(box);
 }
 
 Region strip(const Point& point, const Point& normal, double width) {
@@ -196,9 +197,9 @@ Region ellipsoid(const Point& center, const Point& radii, const Point& axis, dou
     const Field xi = dot(d, turned) / radii[i];
     level = level - xi * xi;
   }
-  return unnamed(normalize(level, 3), level, 3).within(box_about(center, 3, [&](int axis) {
-    return reach[axis];
-  }));
+  const double least = std::min({radii[0], radii[1], radii[2]});
+  return unnamed(normalize_within(level, least, 3), level, 3)
+      .within(box_about(center, 3, [&](int axis) { return reach[axis]; }));
 }
 
 Region cylinder(const Point& center, const Point& axis, double radius, double length) {
@@ -227,7 +228,10 @@ Region cone(const Point& apex, const Point& axis, double half_angle, double leng
   const double cosine = std::cos(half_angle);
   // (h sin)² − cos² (|d|² − h²), with sin² + cos² = 1.
   const Field level = height * height - (cosine * cosine) * square_length(d);
-  const Region nappe = named_side("side", normalize(level, 3), level) & selector("apex", height);
+  const Region nappe =
+      named_side("side", normalize_within(level, std::numeric_limits<double>::infinity(), 3),
+                 level) &
+      selector("apex", height);
   if (!std::isfinite(length)) return nappe;
   const Field end = length - height;
   Point middle;
@@ -246,9 +250,8 @@ Region torus(const Point& center, const Point& axis, double radius, double tube)
   const Field height = dot(d, a), square = square_length(d);
   const Field level = 4 * radius * radius * (square - height * height) -
                       pow(square + (radius * radius - tube * tube), 2.0);
-  return unnamed(normalize(level, 3), level, 3).within(box_about(center, 3, [&](int axis) {
-    return radius * across(a, axis) + tube;
-  }));
+  return unnamed(normalize_within(level, tube, 3), level, 3)
+      .within(box_about(center, 3, [&](int axis) { return radius * across(a, axis) + tube; }));
 }
 
 Region capsule(const Point& from, const Point& to, double radius) {
@@ -278,7 +281,7 @@ Region quadric(const std::vector<double>& coefficients, int dimension) {
                      : std::vector<Field>{x * x, y * y, z * z, x * y, x * z, y * z, x, y, z, 1.0};
   Field level = 0.0;
   for (std::size_t i = 0; i < expected; ++i) level = level + coefficients[i] * terms[i];
-  return unnamed(normalize(level, dimension), level, dimension);
+  return unnamed(normalize_by_itself(level, dimension), level, dimension);
 }
 
 Region level_set(const Field& f, int dimension) {

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/even_and_odd.hpp"
 #include "core/mapped_region.hpp"
+#include "core/normalization_length.hpp"
 #include "core/primitives.hpp"
 #include "core/quadric.hpp"
 
@@ -42,8 +43,11 @@ Region side(const std::string& name, const Field& function, const Field& level) 
   return Region(Primitive{name, function, level}, 3);
 }
 
-Region selector(const std::string& name, const Field& function) {
-  return Region(Primitive{name.empty() ? "axis" : name + ".axis", function, function, true}, 3);
+// Normalised as the others are, so that R-functions of both are of lengths.
+Region selector(const std::string& name, const Field& level, double length) {
+  return Region(Primitive{name.empty() ? "axis" : name + ".axis",
+                          normalize_by_itself(level, 3, length), level, true},
+                3);
 }
 
 // P = E + xO for P of degree 2: E = xx·x² + q(y), O = slope·y + shift, y from the quadric's origin.
@@ -85,26 +89,28 @@ struct EvenAndOdd {
   bool even_is_constant() const { return xx == 0 && yy == 0 && y1 == 0; }
 };
 
-MappedPrimitive even_side(const Primitive& primitive, const EvenAndOdd& parts, const Field& even) {
+MappedPrimitive even_side(const Primitive& primitive, const EvenAndOdd& parts, const Field& even,
+                          double length) {
   const Interval range = parts.even_range();
   if (range.low >= 0) return MappedPrimitive(true);
   if (range.high < 0) return MappedPrimitive(false);
   const bool as_it_is = primitive.function.same_as(primitive.level);
-  return side(primitive.name, as_it_is ? even : normalize(even, 3), even);
+  return side(primitive.name, as_it_is ? even : normalize_by_itself(even, 3, length), even);
 }
 
 // E + ρO ≥ 0 by squares: ρ²O² − E² ("outer"), and the signs of E and O where they are needed.
 MappedPrimitive squared_side(const std::string& name, const EvenAndOdd& parts, const Field& even,
-                             const Meridian& at) {
+                             const Meridian& at, double length) {
   const Field odd = parts.slope * (at.height - parts.origin) + parts.shift;
   Field level = at.square * pow(odd, 2.0) - pow(even, 2.0);
   if (parts.slope == 0 && parts.even_is_constant())  // a cylinder: a polynomial, normalised
     level = level / (2 * std::fabs(parts.shift * parts.constant));
   const auto bounding = [&](const Field& squares) {
-    return side(name, parts.even_is_constant() ? squares : normalize(squares, 3), squares);
+    return side(name, parts.even_is_constant() ? squares : normalize_within(squares, length, 3),
+                squares);
   };
   const Interval range = parts.even_range();
-  const Region plus = selector(name, even);
+  const Region plus = selector(name, even, length);
   if (parts.slope == 0 && parts.shift > 0) {
     if (range.low >= 0) return MappedPrimitive(true);
     return range.high <= 0 ? bounding(level) : bounding(level) | plus;
@@ -113,16 +119,17 @@ MappedPrimitive squared_side(const std::string& name, const EvenAndOdd& parts, c
     if (range.high <= 0) return MappedPrimitive(false);
     return range.low >= 0 ? bounding(-level) : bounding(-level) & plus;
   }
-  const Region outer = bounding(level), positive = selector(name, odd);
+  const Region outer = bounding(level), positive = selector(name, odd, length);
   return ((outer | plus) & positive) | (plus & !positive & !outer);
 }
 
 // E + ρO ≥ 0 for any E and O: as above where nothing is known of them.
 MappedPrimitive squared_side(const std::string& name, const EvenAndOddParts& parts,
-                             const Meridian& at) {
+                             const Meridian& at, double length) {
   const Field level = at.square * pow(parts.odd, 2.0) - pow(parts.even, 2.0);
-  const Region outer = side(name, normalize(level, 3), level);
-  const Region plus = selector(name, parts.even), positive = selector(name, parts.odd);
+  const Region outer = side(name, normalize_within(level, length, 3), level);
+  const Region plus = selector(name, parts.even, length),
+               positive = selector(name, parts.odd, length);
   return ((outer | plus) & positive) | (plus & !positive & !outer);
 }
 
@@ -171,13 +178,16 @@ Box turned_box(const Region& profile, const Point& center, const Point& axis) {
   return box;
 }
 
-MappedPrimitive revolved(const Primitive& primitive, const Meridian& at, bool off_axis) {
-  if (const std::optional<Quadric> q = as_quadric(primitive.level, 2)) {
+MappedPrimitive revolved(const Primitive& primitive, const Meridian& at, bool off_axis,
+                         double size) {
+  const std::optional<Quadric> q = as_quadric(primitive.level, 2);
+  const double length = q ? length_of(*q) : size;
+  if (q) {
     const EvenAndOdd parts(*q);
     const Field y = at.height - parts.origin;
     const Field even = parts.xx * at.square + parts.yy * y * y + parts.y1 * y + parts.constant;
-    if (parts.slope == 0 && parts.shift == 0) return even_side(primitive, parts, even);
-    return squared_side(primitive.name, parts, even, at);
+    if (parts.slope == 0 && parts.shift == 0) return even_side(primitive, parts, even, length);
+    return squared_side(primitive.name, parts, even, at, length);
   }
   // Elsewhere in ρ² as far as the expression shows it to be even.
   const auto parts = even_and_odd(primitive.level, at.square, at.height);
@@ -185,12 +195,13 @@ MappedPrimitive revolved(const Primitive& primitive, const Meridian& at, bool of
     const auto function = even_and_odd(primitive.function, at.square, at.height);
     return Region(
         Primitive{primitive.name,
-                  function && function->is_even() ? function->even : normalize(parts->even, 3),
+                  function && function->is_even() ? function->even
+                                                  : normalize_by_itself(parts->even, 3, length),
                   parts->even, primitive.selects_only},
         3);
   }
   if (parts && !off_axis && !primitive.selects_only)
-    return squared_side(primitive.name, *parts, at);
+    return squared_side(primitive.name, *parts, at, length);
   const std::vector<Field> map{sqrt(at.square), at.height};
   return Region(Primitive{primitive.name, compose(primitive.function, map),
                           compose(primitive.level, map), primitive.selects_only},
@@ -215,8 +226,10 @@ Region revolution(const Region& profile, const Point& center, const Point& axis)
   require_plane(profile);
   const Meridian at = meridian(center, axis);
   const bool off_axis = keeps_off_axis(profile);
+  const std::optional<Box>& known = profile.enclosure();
+  const double size = known ? std::min(known->length(0), known->length(1)) : 1;
   const Region body = mapped_region(profile, [&](const Primitive& primitive) {
-    MappedPrimitive turned = revolved(primitive, at, off_axis);
+    MappedPrimitive turned = revolved(primitive, at, off_axis, size);
     if (primitive.joins_smoothly && turned.region) turned.region = joining_smoothly(*turned.region);
     return turned;
   });

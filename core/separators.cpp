@@ -7,6 +7,7 @@
 #include "core/boundary_part.hpp"
 #include "core/diagnosis.hpp"
 #include "core/error.hpp"
+#include "core/normalization_length.hpp"
 #include "core/piece_loops.hpp"
 #include "core/piece_points.hpp"
 #include "core/polygon.hpp"
@@ -173,8 +174,8 @@ DescribedSolid described_by_signs(const std::vector<ThinSet>& pieces,
     if (members[i].size() > 1) name += "_line";
     for (const std::size_t piece : members[i])
       if (members[i].size() > 1) sides.push_back({names[piece], {name}, pieces[piece].where});
-    primitives.push_back(std::make_shared<const Primitive>(
-        Primitive{name, normalize(functions[i], dimension), functions[i]}));
+    primitives.push_back(std::make_shared<const Primitive>(Primitive{
+        name, normalize_by_itself(functions[i], dimension, bounds.longest_side()), functions[i]}));
   }
   std::vector<std::string> needed, needless;
   std::vector<int> number(static_cast<std::size_t>(own) + candidates.size(), 0);
@@ -186,7 +187,8 @@ DescribedSolid described_by_signs(const std::vector<ThinSet>& pieces,
     number[own + i] = static_cast<int>(primitives.size());
     primitives.push_back(std::make_shared<const Primitive>(
         Primitive{"separator" + std::to_string(needed.size()),
-                  normalize(separator.function, dimension), separator.function, true}));
+                  normalize_by_itself(separator.function, dimension, bounds.longest_side()),
+                  separator.function, true}));
   }
   Region region(dimension, std::move(primitives), expression.renamed(number));
   require_pieces_to_bound(region, points, names, bounds.longest_side(), everywhere);

@@ -6,6 +6,7 @@
 
 #include "core/conditional_r_functions.hpp"
 #include "core/error.hpp"
+#include "core/normalization_length.hpp"
 #include "core/point_algebra.hpp"
 #include "core/point_fields.hpp"
 #include "core/r_equivalence.hpp"
@@ -49,7 +50,7 @@ ThinSet segment_set(const Point& from, const Point& to, int dimension) {
   set.ends = {set.where};
   if (dimension == 2) {
     set.surface = height_along({-direction[1], direction[0]}, from, 2);
-    set.function = trim(*set.surface, set.where);
+    set.function = trim(*set.surface, set.where, size);
     return set;
   }
   // Two planes through the line: the sum of their squares loses no digits near it.
@@ -57,7 +58,7 @@ ThinSet segment_set(const Point& from, const Point& to, int dimension) {
   const Point normal = unit(cross(direction, pole)), binormal = cross(direction, normal);
   set.function = trim_of_square(
       pow(height_along(normal, from, 3), 2.0) + pow(height_along(binormal, from, 3), 2.0),
-      set.where);
+      set.where, size);
   return set;
 }
 
@@ -77,7 +78,7 @@ ThinSet arc_set(const Point& center, double radius, double from, double to) {
   set.where =
       height_along({std::cos(middle), std::sin(middle)}, center, 2) - radius * std::cos(half);
   set.ends = {set.where};
-  set.function = trim(*set.surface, set.where);
+  set.function = trim(*set.surface, set.where, radius);
   set.bulge = std::tan(0.25 * (to - from));
   for (const double angle : {from, to})
     set.points.push_back(
@@ -89,8 +90,10 @@ ThinSet level_curve_set(const Field& of, const std::optional<Field>& where, int 
   ThinSet set;
   set.dimension = dimension;
   set.surface = of;
-  const Field gamma = normalize(of, dimension);
-  set.function = where ? trim(gamma, *where) : abs(gamma);
+  const Field gamma = normalize_by_itself(of, dimension);
+  const std::optional<Quadric> quadric = as_quadric(of, dimension);
+  const double length = quadric ? length_of(*quadric) : 1;
+  set.function = where ? trim(gamma, *where, std::isfinite(length) ? length : 1) : abs(gamma);
   if (where) {
     set.where = *where;
     set.ends = {*where};
@@ -115,8 +118,10 @@ ThinSet triangle_set(const Point& a, const Point& b, const Point& c,
     const Point edge = unit(difference(corners[(i + 1) % 3], corners[i]));
     set.ends.push_back(height_along(cross(normal, edge), corners[i], 3));
   }
-  set.where = trimming_conjunction(set.ends, *set.surface, options);
-  set.function = trim(*set.surface, set.where);
+  std::vector<Field> in_lengths;
+  for (const Field& end : set.ends) in_lengths.push_back(end / size);
+  set.where = size * trimming_conjunction(in_lengths, *set.surface / size, options);
+  set.function = trim(*set.surface, set.where, size);
   return set;
 }
 

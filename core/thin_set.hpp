@@ -10,7 +10,7 @@ namespace rfm {
 /// How a trim function that is a conjunction is smoothed away from the surface γ = 0 on which it is
 /// needed: s = a γᵏ in the conditional R-function x + y − √(x² + y² + s) (Shapiro 2007, §5.2).
 struct ConditionalOptions {
-  double a = 1;  ///< positive; of the dimension length^(2 − k)
+  double a = 1;  ///< positive; in lengths of the set
   int k = 2;     ///< even, 2 to 16: the larger, the nearer it is to R₀ next to the surface
 };
 

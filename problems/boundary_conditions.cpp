@@ -136,7 +136,8 @@ Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvalu
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
     const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
-    const Field function = piece.where ? trim(part.function, *piece.where) : part.function;
+    const Field function =
+        piece.where ? trim(part.function, *piece.where, bounds.longest_side()) : part.function;
     result.function = result.function * function;
     const std::string text = "trim(omega(" + piece.name + "))";
     result.formula += (result.formula.empty() ? "" : " * ") + text;
@@ -180,7 +181,7 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && prescribed.covered.contains(piece.primitive)) continue;
     const BoundaryPiece part = boundary_piece(piece.primitive, region, bounds);
-    multiply(piece.where ? trim(part.function, *piece.where) : part.function,
+    multiply(piece.where ? trim(part.function, *piece.where, bounds.longest_side()) : part.function,
              "trim(omega(" + piece.name + "))");
   }
   return distance;
@@ -321,6 +322,7 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;
     plan.data_sets.push_back({pieces, distance.formula});
   }
+  plan.distance = distance_from(plan.by_structure, region, bounds, bounding).function;
   plan.data = transfinite_interpolant(data);
   plan.given = plan.data;
   if (groups.size() > 1) plan.given = plan.given.written_as(plan.data, call);

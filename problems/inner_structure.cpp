@@ -39,19 +39,22 @@ Structure with_inner_conditions(DirichletPlan& plan, int component, const Struct
   for (const SetValue& value : options.values)
     if (value.component == component) sets.push_back(&value);
   std::vector<ConditionPart> parts;
-  if (!plan.by_structure.empty())
-    parts.push_back({plan.given, level_off(boundary, length) / length, 1});
+  if (!plan.by_structure.empty()) parts.push_back({plan.given, plan.distance, 1});
   for (const SetValue* set : sets) {
     parts.push_back({set->value, level_off(set->where.function, length) / length, 1});
     plan.weight.function = plan.weight.function * set->where.function;
     plan.weight.formula += (plan.weight.formula.empty() ? "omega(" : " * omega(") + set->set + ")";
   }
   if (!sets.empty()) plan.given = transfinite(parts);
+  Field distance = plan.distance;  // from all that has values
+  for (const SetValue* set : sets)
+    distance = distance * (level_off(set->where.function, length) / length);
   Field jumps = 0.0;
   for (const InterfaceCondition& interface : options.interfaces)
     if (!interface.jump.is_constant(0))
-      jumps = jumps + interface.jump * step(interface.omega) *
-                          (plan.weight.function / (plan.weight.function + pow(interface.omega, 2)));
+      jumps =
+          jumps + interface.jump * step(interface.omega) *
+                      (distance / (distance + pow(level_off(interface.omega, length) / length, 2)));
   if (!jumps.is_constant(0)) plan.given = plan.given + jumps;
   plan.data = plan.given.inhomogeneous();
 

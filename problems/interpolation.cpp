@@ -7,6 +7,7 @@
 #include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/normalization_length.hpp"
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
 #include "core/trim.hpp"
@@ -95,7 +96,8 @@ class DatumReader {
     if (const auto set = places_.sets.find(name.text); set != places_.sets.end()) {
       datum.data.distance = set->second.function;
       // Those of formulas are as they are written.
-      if (set->second.surface) datum.data.side = normalize(*set->second.surface, places_.dimension);
+      if (set->second.surface)
+        datum.data.side = normalize_by_itself(*set->second.surface, places_.dimension);
       datum.surface = set->second.surface;
       return with_normal(std::move(datum), "only curves of the plane and surfaces of space");
     }

@@ -88,7 +88,7 @@ std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& cond
                                condition.name, reason),
                    problem.conditions[condition.condition].place}});
     Field omega = boundary_piece(condition.primitive, region, bounds).from_inside;
-    if (condition.where) omega = trim_from_inside(omega, *condition.where);
+    if (condition.where) omega = trim_from_inside(omega, *condition.where, bounds.longest_side());
     pieces.push_back({condition, omega});
   }
   return pieces;

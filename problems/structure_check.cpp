@@ -53,6 +53,41 @@ std::vector<Point> points_of(const ThinSet& set, const DomainRule& rule) {
   return points;
 }
 
+// Some points inside, where a structure with arbitrary functions has some value.
+std::vector<Point> points_inside(const DomainRule& rule) {
+  constexpr std::size_t enough = 50;
+  std::vector<Point> points;
+  const auto add = [&](const VolumePoints& some) {
+    for (int i = 0; i < some.size() && points.size() < enough; ++i) points.push_back(some.point(i));
+  };
+  const std::vector<int>& cells = rule.inside_cells();
+  const std::size_t step = cells.size() / enough + 1;
+  for (std::size_t i = 0; i < cells.size(); i += step) {
+    VolumePoints inside;
+    rule.add_inside_points(cells[i], inside);
+    add(inside);
+  }
+  if (points.empty()) add(rule.cut_points());
+  return points;
+}
+
+// The largest |u − value| at `points`, and inside: units of length make it large or small.
+StructureDeviation deviation_of_value(const std::vector<Structure>& structures, int unknown,
+                                      const Field& value, const std::vector<Point>& points,
+                                      const DomainRule& rule) {
+  const auto largest = [&](const std::vector<Point>& places) {
+    return largest_deviation(
+        structures,
+        [&](const std::vector<Field>& u) { return u[static_cast<std::size_t>(unknown)]; }, value,
+        places, {.dimension = rule.dimension(), .count = 2});
+  };
+  StructureDeviation found = largest(points);
+  const std::vector<Point> inside = points_inside(rule);
+  if (const double scale = inside.empty() ? 0 : largest(inside).largest; scale > 0)
+    found.scale = scale;
+  return found;
+}
+
 Field along(const std::vector<Field>& direction, const Field& f) {
   Field sum = 0.0;
   for (std::size_t axis = 0; axis < direction.size(); ++axis)
@@ -63,7 +98,7 @@ Field along(const std::vector<Field>& direction, const Field& f) {
 }  // namespace
 
 bool is_met(const std::optional<StructureDeviation>& deviation) {
-  return !deviation || deviation->largest < rounding;
+  return !deviation || deviation->largest < rounding * deviation->scale;
 }
 
 std::optional<StructureDeviation> deviation_from(const PieceCondition& condition,
@@ -86,8 +121,8 @@ std::optional<StructureDeviation> deviation_from(const PieceCondition& condition
                  normal_conductivity(coefficients, normal);
         },
         0.0);
-  StructureDeviation worst =
-      largest([&](const std::vector<Field>& u) { return u[unknown]; }, condition.data[0]);
+  const StructureDeviation worst =
+      deviation_of_value(structures, condition.component, condition.data[0], points, rule);
   if (!condition.clamped || !is_met(worst)) return worst;
   return largest([&](const std::vector<Field>& u) { return along(normal, u[unknown]); }, 0.0);
 }
@@ -98,9 +133,7 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
                                                  const DomainRule& rule) {
   const std::vector<Point> points = points_of(set, rule);
   if (points.empty()) return std::nullopt;
-  return largest_deviation(
-      structures, [&](const std::vector<Field>& u) { return u[static_cast<std::size_t>(unknown)]; },
-      value, points, {.dimension = rule.dimension(), .count = 2});
+  return deviation_of_value(structures, unknown, value, points, rule);
 }
 
 std::string deviation_text(const StructureDeviation& deviation, int dimension) {

@@ -29,7 +29,8 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
                                                  const std::vector<Structure>& structures,
                                                  const DomainRule& rule);
 
-/// Whether a deviation is rounding. One that is not a number is none.
+/// Whether a deviation is rounding, of values by what they are inside. One that is not a number is
+/// none.
 bool is_met(const std::optional<StructureDeviation>& deviation);
 
 /// "it is 0.3 off at (1, 2) for an arbitrary psi".

@@ -23,6 +23,7 @@ struct StructureDeviation {
   double largest = 0;  ///< |B u − data|; not a number where that is not
   Point place{};       ///< where
   int trial = 0;       ///< for which functions
+  double scale = 1;    ///< how large it is where it need not be zero, if that is known
 };
 
 /// A function to put in for a Ψ: a polynomial of degree 4 with coefficients of at most 1, and a
