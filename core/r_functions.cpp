@@ -60,7 +60,11 @@ struct Conjunction {
     return select(apply(Operation::less, {0.0, s}), min(x, y) * quotient,
                   -absolute_power(s, system.m) - pow(e, system.m));
   }
-  Field operator()(const UserSystem& system) const { return system.conjunction(x, y); }
+  Field operator()(const UserSystem& system) const {
+    if (!system.conjunction)
+      throw InvalidArgument("the system '" + system.name + "' has no conjunction");
+    return system.conjunction(x, y);
+  }
 };
 
 template <class Join>
@@ -109,11 +113,13 @@ Field sheffer_stroke(const Field& x, const Field& y, const RSystem& system) {
 }
 
 Field conjunction(const std::vector<Field>& fields, const RSystem& system) {
+  conjunction(0.5, 0.5, system);  // throws, also where nothing is joined
   return balanced(fields, 1.0,
                   [&](const Field& a, const Field& b) { return conjunction(a, b, system); });
 }
 
 Field disjunction(const std::vector<Field>& fields, const RSystem& system) {
+  disjunction(0.5, 0.5, system);
   return balanced(fields, -1.0,
                   [&](const Field& a, const Field& b) { return disjunction(a, b, system); });
 }

@@ -36,13 +36,15 @@ struct RAlphaField {
   Field alpha;
 };
 /// x ∧ y = (x ∧α y)(x² + y²)^{m/2}, eq. (3.5) with α = 0 (R₀ᵐ), m from 1 to 16: m times
-/// differentiable everywhere, for the price of being normalised nowhere.
+/// differentiable everywhere, for the price of being normalised nowhere. Of degree m + 1, so that d
+/// of them within one another are of degree (m + 1)ᵈ: signs are kept as long as arguments to that
+/// power are numbers (m = 16 and d = 2: from 0.1 to 10).
 struct RAlphaM {
   double alpha = 0;
   int m = 1;
 };
 /// x ∧ y = sign(x + y) |½(x + y)|ᵐ − |½(x − y)|ᵐ, m from 1 to 16: without roots; m − 1 times
-/// differentiable, not normalised for m > 1; m = 1 is R₁.
+/// differentiable, not normalised for m > 1; m = 1 is R₁. Of degree m: see `RAlphaM`.
 struct RCm {
   int m = 2;
 };

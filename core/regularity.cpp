@@ -109,14 +109,15 @@ class IrregularitySearch {
   }
 
   // The primitives on which the sign of Φ over a box may depend; none where it is proved, or
-  // depends on one primitive that changes its sign.
+  // depends on one primitive that changes its sign and is proved to be nowhere flat.
   std::vector<int> undecided(const Part& part) {
     std::vector<int> open;
     for (const BooleanExpression::Node& node : part.expression.nodes())
       if (node.kind == BooleanExpression::Kind::variable) open.push_back(node.first);
     std::ranges::sort(open);
     open.erase(std::unique(open.begin(), open.end()), open.end());
-    if (open.size() == 1 && decides(open[0], part.expression)) open.clear();
+    if (open.size() == 1 && decides(open[0], part.expression) && !may_be_flat(open[0], part.box))
+      open.clear();
     return open;
   }
 
@@ -128,6 +129,14 @@ class IrregularitySearch {
     const Truth above = expression.evaluate(signs_);
     signs_[primitive] = Truth::no;
     return above != expression.evaluate(signs_);
+  }
+
+  // Double zeros, and kinks of |f|, are where the gradient may be zero.
+  bool may_be_flat(int primitive, const Box& box) const {
+    const FunctionBounds bounds = region_.level(primitive).bounds(box);
+    for (int axis = 0; axis < box.dimension; ++axis)
+      if (bounds.gradient[axis].excludes_zero()) return false;
+    return true;
   }
 
   void look_at(const Box& box, const std::vector<int>& open) {

@@ -8,9 +8,9 @@
 namespace rfm {
 
 /// 1 inside closed boundaries that are known only piece by piece, −1 outside: by the parity of the
-/// winding number, so that loops may run either way and lie within each other. Its derivatives are
-/// 0; on the boundary itself either sign. In the plane of segments and arcs (full circles, too), in
-/// space of triangles.
+/// winding number, so that loops may run either way and lie within each other (triangles of one
+/// closed surface must all be turned alike). Its derivatives are 0; on the boundary itself either
+/// sign. In the plane of segments and arcs (full circles, too), in space of triangles.
 class WindingSign final : public FieldSource {
  public:
   /// Throws `InvalidArgument` if a piece is neither segment nor arc (triangle in space), or if the

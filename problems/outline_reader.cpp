@@ -1,5 +1,8 @@
 #include "problems/outline_reader.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -11,7 +14,6 @@
 #include "core/polygon.hpp"
 #include "core/stroke.hpp"
 #include "core/stroke_region.hpp"
-#include "problems/point_files.hpp"
 #include "problems/text_files.hpp"
 
 namespace rfm {
@@ -80,6 +82,7 @@ EdgeCurve edge_of(const DocumentNode& item, double bulge, const ValueReader& val
   EdgeCurve edge{bulge, {}};
   const DocumentNode* conic = item.is_map() ? values.find(item, "conic") : nullptr;
   if (!conic) return edge;
+  if (bulge != 0) values.mistakes.add("an edge has a bulge or a conic, not both", conic->place);
   const DocumentNode* control = values.find(*conic, "control");
   const DocumentNode* weight = values.find(*conic, "weight");
   edge.conic = EdgeCurve::Conic{control ? values.point(*control).value_or(Point{}) : Point{},
@@ -153,6 +156,7 @@ std::optional<Outline> OutlineReader::read_polygon(const std::string& kind,
         return std::nullopt;
       }
     }
+  if (of_file && !is_closed_outline(kind, *lists, *values_.find(node, "file"))) return std::nullopt;
   const bool exact = is_true(values_.find(node, "exact"));
   std::vector<CurvedContour> curves;
   for (std::size_t c = 0; c < lists->size(); ++c)
@@ -161,7 +165,7 @@ std::optional<Outline> OutlineReader::read_polygon(const std::string& kind,
     std::vector<Contour> contours;
     for (CurvedContour& curve : curves) {
       contours.push_back({curve.points, curve.prefix});
-      curve.edges.clear();  // a file may hold bulges
+      curve.edges.clear();
     }
     Outline outline = polygon(contours);
     if (exact) outline.distance = contour_distance(curves);
@@ -173,6 +177,34 @@ std::optional<Outline> OutlineReader::read_polygon(const std::string& kind,
       curves[0].edges[i] = edge_of(items[i], curves[0].edges[i].bulge, values_);
   }
   return outline_of(curves, exact);
+}
+
+// Whether lists of points of a file are what the kind of shape is made of.
+bool OutlineReader::is_closed_outline(const std::string& kind, const std::vector<PointList>& lists,
+                                      const DocumentNode& file) const {
+  for (const PointList& list : lists)
+    if (list.is_open && list.points.front() != list.points.back()) {
+      values_.mistakes.add(fmt::format("the polyline of line {} of '{}' is open: its ends differ, "
+                                       "and it is not flagged as closed",
+                                       list.line, file.text),
+                           file.place);
+      return false;
+    }
+  return kind != "polygon" || has_straight_edges(kind, lists, file);
+}
+
+bool OutlineReader::has_straight_edges(const std::string& kind, const std::vector<PointList>& lists,
+                                       const DocumentNode& file) const {
+  for (const PointList& list : lists)
+    if (std::ranges::any_of(list.bulges, [](double bulge) { return bulge != 0; })) {
+      values_.mistakes.add(
+          fmt::format(
+              "'{}' has edges that are arcs, which a {} cannot have; expected bulges of 0{}",
+              file.text, kind, kind == "polygon" ? ", or a curved_polygon" : ""),
+          file.place);
+      return false;
+    }
+  return true;
 }
 
 std::optional<Outline> OutlineReader::read_stroke(const std::string& kind,
@@ -188,6 +220,7 @@ std::optional<Outline> OutlineReader::read_stroke(const std::string& kind,
                          where->place);
     return std::nullopt;
   }
+  if (values_.find(node, "file") && !has_straight_edges(kind, *lists, *where)) return std::nullopt;
   const std::vector<Point>& points = lists->front().points;
   const bool closed =
       is_true(loop) || !width || (points.size() > 2 && points.front() == points.back());

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/outline.hpp"
+#include "problems/point_files.hpp"
 #include "problems/value_reader.hpp"
 
 namespace rfm {
@@ -22,6 +23,10 @@ class OutlineReader {
  private:
   std::optional<Outline> read_polygon(const std::string& kind, const DocumentNode& node) const;
   std::optional<Outline> read_stroke(const std::string& kind, const DocumentNode& node) const;
+  bool is_closed_outline(const std::string& kind, const std::vector<PointList>& lists,
+                         const DocumentNode& file) const;
+  bool has_straight_edges(const std::string& kind, const std::vector<PointList>& lists,
+                          const DocumentNode& file) const;
 
   const ValueReader& values_;
 };

@@ -11,14 +11,18 @@ namespace rfm {
 struct PointList {
   std::vector<Point> points;
   std::vector<double> bulges;
+  /// A polyline of a drawing that is not flagged as closed.
+  bool is_open = false;
+  int line = 0;  ///< of a drawing, where it begins
 };
 
 /// Reads lists of points of the plane, as text of either kind:
 /// - two or three columns x, y, bulge, separated by commas, semicolons or blanks; empty lines
 ///   separate lists, lines that begin with `#` and one line of titles are passed over;
-/// - DXF: the LWPOLYLINE and POLYLINE entities (group codes 10, 20 and 42), all else is passed
-/// over. `name` stands in messages. Throws `InputError` with the line: `part.csv:3: expected a
-/// number but found 'abc'`.
+/// - DXF: the entities LWPOLYLINE and POLYLINE (group codes 10, 20, 42 and 70) and CIRCLE, as two
+///   half turns. Texts, dimensions and points are passed over; what else draws a line is refused.
+/// `name` stands in messages. Throws `InputError` with the line: `part.csv:3: expected a number but
+/// found 'abc'`.
 std::vector<PointList> parse_points(const std::string& text, const std::string& name);
 
 }  // namespace rfm

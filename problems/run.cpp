@@ -137,16 +137,18 @@ void log_solution(RunLog& log, const ScalarProblem& problem, const Grid& grid,
   log.line("solved: linear residual {:.1e}, boundary residual {:.1e}{}",
            solution.linear.relative_residual, solution.boundary_residual,
            solution.energy ? fmt::format(", energy {:.12g}", *solution.energy) : "");
-  double largest_datum = 0;
+  double largest_value = 0;  // of the data, and of the solution where these are 0
   bool has_weak_values = false;
   for (const DirichletPlan& plan : plans)
     for (const PieceCondition& condition : plan.weakly) {
       has_weak_values = true;
-      largest_datum =
-          std::max(largest_datum, maximum(condition.data[0], solution.rule,
-                                          {Contribution::Place::boundary, {condition.primitive}}));
+      largest_value =
+          std::max({largest_value,
+                    maximum(condition.data[0], solution.rule,
+                            {Contribution::Place::boundary, {condition.primitive}}),
+                    maximum(solution.results.unknowns[condition.component].field, solution.rule)});
     }
-  if (has_weak_values && solution.boundary_residual > 1e-2 * std::max(largest_datum, 1e-300))
+  if (has_weak_values && solution.boundary_residual > 1e-2 * largest_value)
     log.line(
         "note: values enforced weakly are missed by up to {:.2g}: the grid is too coarse there",
         solution.boundary_residual);

@@ -186,6 +186,24 @@ TEST(Irregularities, OfIsolatedPointsAreFound) {
   EXPECT_THAT(describe(list[0], RegionEvaluator(pierced), false), HasSubstr("structure is not"));
 }
 
+TEST(Irregularities, OfASingleShapeThatChangesItsSignElsewhereAreFound) {
+  const Field x = x_coordinate(), y = y_coordinate(), disk = 1 - x * x - y * y;
+  auto list = found_in(level_set((pow(x - 0.2, 2.0) + pow(y - 0.1, 2.0)) * disk)
+                           .named("a")
+                           .within({2, {-1, -1, 0}, {1, 1, 0}}));
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].kind, Kind::interior_zero);
+  EXPECT_NEAR(list[0].place[0], 0.2, 1e-12);
+  EXPECT_NEAR(list[0].place[1], 0.1, 1e-12);
+  list = found_in(level_set(abs(x - y) * disk).named("a").within({2, {-1, -1, 0}, {1, 1, 0}}));
+  ASSERT_FALSE(list.empty());
+  EXPECT_EQ(list[0].kind, Kind::interior_zero);
+  EXPECT_GT(list[0].extent.length(0), 1.3);
+  // Regular ones are not: corners and kinks of one function on its boundary.
+  EXPECT_TRUE(found_in(level_set(min(disk, x + 0.3)).named("a").within({2, {-1, -1, 0}, {1, 1, 0}}))
+                  .empty());
+}
+
 TEST(Irregularities, OfTinyShapesAreThoseOfLargeOnes) {
   for (const double size : {1e-9, 1.0, 1e9}) {
     const Region two = box({0, 0}, {size, 2 * size}).named("a") |
