@@ -70,7 +70,8 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"geometry.shapes.*.polygon.points", list_value, alternative, "Its corners."},
     {"geometry.shapes.*.polygon.points[]", point, required, "A corner."},
     {"geometry.shapes.*.polygon.file", file_value, alternative,
-     "A file with x,y of the corners, a line for each, or a DXF file with polylines. Further "
+     "A file with x,y of the corners, a line for each, or a DXF file with closed polylines (and "
+     "circles, of a curved polygon). Further "
      "contours follow after empty lines: inside another one they are holes; their sides are "
      "contour2, contour2_edge1, ..."},
     {"geometry.shapes.*.polygon.holes", list_value, optional, "Its holes."},
