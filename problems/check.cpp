@@ -11,6 +11,7 @@
 #include "problems/distance_quality.hpp"
 #include "problems/geometric_relations.hpp"
 #include "problems/pictures/check_picture.hpp"
+#include "problems/problem_forms.hpp"
 #include "problems/reader.hpp"
 #include "problems/result_folder.hpp"
 #include "problems/run_log.hpp"
@@ -136,6 +137,8 @@ int check_problem(const std::string& file, const CheckOptions& options) {
   const Problem problem = read_problem(file, options.overrides);
   const std::vector<RelationAnswer> relations = answered(problem.relations, problem.bounds);
   const ScalarProblem scalar(problem);
+  if (problem.physics.type != PhysicsType::interpolation && uses_forms(scalar))
+    problem_forms(scalar, scalar.grid());
   const Grid grid = scalar.grid();
   const DomainRule rule = scalar.rule(grid);
   RunLog log(false);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
@@ -26,9 +27,59 @@ bool uses_residuals(const Problem& problem) {
   throw ProblemFileErrors({Mistake{message, place}});
 }
 
+// Whether the graph of a field holds an operation whose value jumps.
+bool jumps(const Field& field) {
+  std::set<const Field::Node*> seen;
+  std::vector<const Field::Node*> pending{&field.node()};
+  while (!pending.empty()) {
+    const Field::Node* node = pending.back();
+    pending.pop_back();
+    if (!seen.insert(node).second) continue;
+    switch (node->operation) {
+      case Operation::step:
+      case Operation::sign:
+      case Operation::floor:
+      case Operation::mod:
+      case Operation::select:
+        return true;
+      default:
+        for (const Field& argument : node->arguments) pending.push_back(&argument.node());
+    }
+  }
+  return false;
+}
+
+// Residuals in cells do not see that fluxes go on across a jump of the conductivity.
+void require_continuous_conductivity(const ScalarProblem& problem) {
+  if (std::ranges::none_of(problem.coefficients().conductivity, jumps)) return;
+  const DocumentNode& root = problem.problem().document;
+  const DocumentNode* discretization = root.find("discretization");
+  const DocumentNode* method = discretization ? discretization->find("method") : nullptr;
+  refuse_at(method ? method->place : root.place,
+            "least squares and collocation need a conductivity without jumps: residuals do not "
+            "see the flux across them; expected ritz or galerkin");
+}
+
+// Splines of degree p have p derivatives that are integrable, and lose all orders beyond.
+void require_degree(const Problem& problem, const std::vector<Form>& forms) {
+  const Discretization& discretization = problem.discretization;
+  if (discretization.basis != Discretization::Basis::bspline) return;
+  int degree = discretization.degree, order = 0;
+  for (const auto& [unknown, own] : discretization.degrees) degree = std::max(degree, own);
+  for (const Form& form : forms) order = std::max(order, form.derivative_order());
+  if (order <= degree) return;
+  const DocumentNode* basis = problem.document.find("discretization");
+  if (basis) basis = basis->find("basis");
+  refuse_at(basis ? basis->place : problem.document.place,
+            fmt::format("splines of degree {} have no derivatives of order {}, which the equations "
+                        "contain; expected a degree of {} or more",
+                        degree, order, order));
+}
+
 std::vector<Form> scalar_forms(const ScalarProblem& problem, double h) {
   const int dimension = problem.problem().dimension;
   const bool residuals = uses_residuals(problem.problem());
+  if (residuals) require_continuous_conductivity(problem);
   std::vector<Form> list{volume_form(problem.coefficients(), dimension, residuals)};
   for (const PieceCondition& condition : problem.conditions()) {
     // The residual of what the structure satisfies is nothing.
@@ -94,6 +145,7 @@ std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) 
       problem.problem().physics.custom
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
           : scalar_forms(problem, h);
+  require_degree(problem.problem(), list);
   for (const DirichletPlan& plan : problem.dirichlet())
     for (const PieceCondition& condition : plan.weakly)
       list.push_back(weak_value(problem, condition, list[0], h));

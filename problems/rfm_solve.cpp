@@ -45,6 +45,9 @@ int guarded(const Action& action) {
   } catch (const std::length_error&) {
     std::fprintf(stderr, "rfm-solve: the computation failed: the grid is larger than memory\n");
     return computation_failed;
+  } catch (const std::exception& error) {  // of a library
+    std::fprintf(stderr, "rfm-solve: the computation failed: %s\n", error.what());
+    return computation_failed;
   }
 }
 

@@ -181,6 +181,19 @@ Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& repor
   return std::move(least.solution);
 }
 
+// In the region of quadratic convergence.
+constexpr double small_step = 1e-6;
+
+// Steps by an orthogonal factorization have errors of rounding times the square of the condition,
+// below which neither they nor the residuals get any smaller.
+bool is_rounding(std::span<const NewtonIteration> iterations, double residual) {
+  constexpr double same_residual = 1e-7;
+  if (iterations.size() < 2) return false;
+  const NewtonIteration &last = iterations.back(), &before = iterations[iterations.size() - 2];
+  return last.damping == 1 && last.step < small_step && last.step > 0.1 * before.step &&
+         std::fabs(residual - last.residual) <= same_residual * last.residual;
+}
+
 }  // namespace
 
 NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options) {
@@ -208,12 +221,21 @@ NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptio
       return solution;
     }
     for (;; iteration.damping /= 2) {
-      if (iteration.damping < options.smallest_damping)
+      if (iteration.damping < options.smallest_damping) {
+        if (iteration.step < small_step) {  // and what there is of it, is rounding
+          solution.linear.coefficients = unknowns;
+          return solution;
+        }
         throw ComputationError(
             "Gauss's and Newton's method does not converge: the residuals fall "
             "no further along the step");
+      }
       const Eigen::VectorXd next = unknowns + iteration.damping * step;
       system = problem.at(next);
+      if (is_rounding(solution.iterations, system.right_hand_side.norm())) {
+        solution.linear.coefficients = next;
+        return solution;
+      }
       if (system.right_hand_side.norm() <= iteration.residual * (1 + 1e-10)) {
         unknowns = next;
         break;

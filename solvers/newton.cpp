@@ -35,6 +35,7 @@ class Newton {
     coefficients_ = start;
     system_ = equations_.at(coefficients_);
     set_scale();
+    require_tangent();
     const Vector first_residual = system_.right_hand_side;
     for (int step = 1; step <= options_.load_steps; ++step) {
       remaining_ = (1 - double(step) / options_.load_steps) * first_residual;
@@ -55,6 +56,28 @@ class Newton {
     column_scale_ = scaling.columns;
   }
 
+  // Functions that the tangent leaves out are not moved, and their equations would not be looked
+  // at: a start where the whole tangent vanishes, as of |∇u|⁴ at u = 0, would pass for a solution.
+  void require_tangent() const {
+    const SparseMatrix& matrix = system_.matrix;
+    std::vector<bool> is_empty(static_cast<std::size_t>(matrix.rows()), true);
+    for (Eigen::Index outer = 0; outer < matrix.outerSize(); ++outer)
+      for (SparseMatrix::InnerIterator entry(matrix, outer); entry; ++entry)
+        if (entry.value() != 0)
+          is_empty[static_cast<std::size_t>(entry.row())] =
+              is_empty[static_cast<std::size_t>(entry.col())] = false;
+    if (is_empty.empty()) return;
+    const double largest = system_.right_hand_side.cwiseAbs().maxCoeff();
+    bool vanishes = std::ranges::all_of(is_empty, [](bool empty) { return empty; });
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+      vanishes |= is_empty[static_cast<std::size_t>(row)] &&
+                  std::fabs(system_.right_hand_side[row]) > rounding * largest;
+    if (vanishes)
+      fail(
+          "the tangent vanishes at the start, where the equations are not satisfied: it shows no "
+          "way to go");
+  }
+
   double residual_of(const LinearSystem& system) const {
     return row_scale_.cwiseProduct(system.right_hand_side - remaining_).norm();
   }
@@ -68,10 +91,13 @@ class Newton {
 
   void iterate() {
     const std::size_t first = solution_.iterations.size();
+    double largest_residual = 0;
     for (int i = 0; i < options_.largest_iteration_count; ++i) {
       NewtonIteration& iteration = solution_.iterations.emplace_back();
       iteration.residual = residual_of(system_);
-      if (iteration.residual == 0) return;
+      largest_residual = std::max(largest_residual, iteration.residual);
+      // Of functions that depend on one another coefficients never settle; their sum does.
+      if (iteration.residual <= rounding * largest_residual) return;
       const Vector step = full_step(iteration);
       const double size = size_of(coefficients_ + step);
       iteration.step = size > 0 ? size_of(step) / size : 0;
@@ -153,6 +179,8 @@ std::optional<double> NewtonSolution::order() const {
       if (iteration.damping < 1) steps.clear();
       if (iteration.damping == 1) steps.push_back(iteration.step);
     }
+  // Steps that fall no further are rounding, too.
+  while (steps.size() > 1 && steps.back() > 0.5 * steps[steps.size() - 2]) steps.pop_back();
   if (steps.size() < 3) return std::nullopt;
   const double* last = steps.data() + steps.size() - 3;
   return std::log(last[2] / last[1]) / std::log(last[1] / last[0]);

@@ -167,6 +167,16 @@ TEST(Newton, SaysThatTheResidualFallsNoFurther) {
   EXPECT_THAT(failure_of(problem), HasSubstr("the residual falls no further"));
 }
 
+TEST(Newton, SaysThatTheTangentVanishesAtTheStart) {
+  // The energy |∇u|⁴ / 4 − u and the residual |∇u|² − 1 have no tangent at u = 0, and no solution.
+  NonlinearProblem problem = bratu(1);
+  const Field w = unknown_symbol(0, 1);
+  problem.form = Form::energy(pow(partial(w, 0), 4.0) / 4.0 - w);
+  EXPECT_THAT(failure_of(problem), HasSubstr("the tangent vanishes at the start"));
+  problem.form = Form::least_squares({pow(partial(w, 0), 2.0) - 1.0});
+  EXPECT_THAT(failure_of(problem), HasSubstr("the tangent vanishes at the start"));
+}
+
 TEST(Newton, EndsAfterOneStepWhereAFormOnlyLooksNonlinear) {
   // cos² + sin² is 1, which the formula of the tangent does not tell.
   NonlinearProblem problem = minimal_surface();
