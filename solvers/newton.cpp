@@ -91,7 +91,8 @@ class Newton {
 
   void iterate() {
     const std::size_t first = solution_.iterations.size();
-    double largest_residual = 0;
+    double largest_residual =
+        equations_.loads.size() > 0 ? row_scale_.cwiseProduct(equations_.loads).norm() : 0;
     for (int i = 0; i < options_.largest_iteration_count; ++i) {
       NewtonIteration& iteration = solution_.iterations.emplace_back();
       iteration.residual = residual_of(system_);
@@ -214,6 +215,17 @@ NewtonSolution solve_newton(std::span<const Structure> structures,
   };
   NewtonEquations equations;
   equations.at = [&](const Vector& coefficients) { return assembled(coefficients, rule); };
+  const bool has_data = std::ranges::any_of(structures, [](const Structure& structure) {
+    return !structure.inhomogeneous().is_constant(0);
+  });
+  if (has_data) try {
+      std::vector<Contribution> contributions;
+      const std::vector<Field> zero(structures.size(), 0.0);
+      for (const Form& form : forms) contributions.push_back(form.linearized(zero));
+      const LinearSystem system = assemble(changes, spaces, contributions, rule, arguments);
+      equations.loads = (extraction ? extraction->folded(system) : system).right_hand_side;
+    } catch (const ComputationError&) {  // not defined there, as a logarithm
+    }
   if (options.finer_rule)
     equations.finer = [&](const Vector& coefficients) {
       return assembled(coefficients, options.finer_rule());

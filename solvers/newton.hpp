@@ -64,6 +64,10 @@ struct NewtonEquations {
   std::function<LinearSystem(const Eigen::VectorXd&)> finer{};
   /// What the equations may leave free, as columns of coefficients: candidates of `Kernel`.
   Eigen::MatrixXd candidates{};
+  /// Minus the residual where the whole solution is zero, of the size of the loads; empty if it is
+  /// not known. What is 10⁻¹² of it is rounding, at the start, too: a start that is the solution
+  /// already has no coefficients by which to judge a step.
+  Eigen::VectorXd loads{};
 };
 
 /// Newton's method from `start`, as that for forms below.
