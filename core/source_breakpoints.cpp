@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "core/field_node.hpp"
+#include "core/graph_walk.hpp"
 #include "core/quadric.hpp"
 
 namespace rfm {
@@ -32,15 +32,10 @@ std::optional<AxisMap> axis_map(const Field& component, int dimension) {
 
 std::vector<const Field::Node*> sources_of(const Field& field) {
   std::vector<const Field::Node*> sources;
-  std::set<const Field::Node*> seen;
-  std::vector<const Field::Node*> pending{&field.node()};
-  while (!pending.empty()) {
-    const Field::Node* node = pending.back();
-    pending.pop_back();
-    if (!seen.insert(node).second) continue;
-    for (const Field& argument : node->arguments) pending.push_back(&argument.node());
-    if (node->source) sources.push_back(node);
-  }
+  any_node(field, [&](const Field& part) {
+    if (part.node().source) sources.push_back(&part.node());
+    return false;
+  });
   return sources;
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
+#include "core/graph_walk.hpp"
 #include "problems/custom_forms.hpp"
 #include "problems/scalar_forms.hpp"
 #include "solvers/integrate.hpp"
@@ -29,13 +29,8 @@ bool uses_residuals(const Problem& problem) {
 
 // Whether the graph of a field holds an operation whose value jumps.
 bool jumps(const Field& field) {
-  std::set<const Field::Node*> seen;
-  std::vector<const Field::Node*> pending{&field.node()};
-  while (!pending.empty()) {
-    const Field::Node* node = pending.back();
-    pending.pop_back();
-    if (!seen.insert(node).second) continue;
-    switch (node->operation) {
+  return any_node(field, [](const Field& part) {
+    switch (part.node().operation) {
       case Operation::step:
       case Operation::sign:
       case Operation::floor:
@@ -43,10 +38,9 @@ bool jumps(const Field& field) {
       case Operation::select:
         return true;
       default:
-        for (const Field& argument : node->arguments) pending.push_back(&argument.node());
+        return false;
     }
-  }
-  return false;
+  });
 }
 
 // Residuals in cells do not see that fluxes go on across a jump of the conductivity.

@@ -1,9 +1,9 @@
 #include "problems/result_scope.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "core/error.hpp"
+#include "core/graph_walk.hpp"
 
 namespace rfm {
 namespace {
@@ -28,17 +28,10 @@ void refuse_vector(ExpressionScope& scope, const std::string& name, const std::s
 }
 
 bool depends_on(const Field& f, const std::vector<Field>& parts) {
-  std::set<const Field::Node*> seen;
-  std::vector<const Field::Node*> pending{&f.node()};
-  while (!pending.empty()) {
-    const Field::Node* node = pending.back();
-    pending.pop_back();
-    if (!seen.insert(node).second) continue;
-    for (const Field& part : parts)
-      if (node == &part.node() && !part.is_constant()) return true;
-    for (const Field& argument : node->arguments) pending.push_back(&argument.node());
-  }
-  return false;
+  return any_node(f, [&](const Field& node) {
+    return std::ranges::any_of(
+        parts, [&](const Field& part) { return node.same_as(part) && !part.is_constant(); });
+  });
 }
 
 // d(f, k) as it was, but not of results with respect to a parameter.

@@ -180,8 +180,10 @@ std::optional<double> NewtonSolution::order() const {
       if (iteration.damping < 1) steps.clear();
       if (iteration.damping == 1) steps.push_back(iteration.step);
     }
-  // Steps that fall no further are rounding, too.
-  while (steps.size() > 1 && steps.back() > 0.5 * steps[steps.size() - 2]) steps.pop_back();
+  // Small steps that fall no further are rounding, too.
+  while (steps.size() > 1 && steps.back() < small_step &&
+         steps.back() > 0.5 * steps[steps.size() - 2])
+    steps.pop_back();
   if (steps.size() < 3) return std::nullopt;
   const double* last = steps.data() + steps.size() - 3;
   return std::log(last[2] / last[1]) / std::log(last[1] / last[0]);

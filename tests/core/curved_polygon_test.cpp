@@ -20,18 +20,24 @@ namespace {
 using testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
 
+Box extent_of(const std::vector<Point>& points) {
+  Box box{2, points[0], points[0]};
+  for (const Point& point : points)
+    for (int axis = 0; axis < 2; ++axis) {
+      box.low[axis] = std::min(box.low[axis], point[axis]);
+      box.high[axis] = std::max(box.high[axis], point[axis]);
+    }
+  return box;
+}
+
 // Signs at random points against the winding number of a fine polygon, away from which by less than
 // it errs nothing is asked; zeros on the curve.
 void expect_right(const CurvedContour& contour, RandomPolygons& random, int points) {
   const Region region = curved_polygon({contour}).region;
   const Field function = implicit(region);
   const std::vector<Point> fine = traced(contour, 400);
-  Point low = fine[0], high = fine[0];
-  for (const Point& p : fine)
-    for (int axis = 0; axis < 2; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
+  const Box extent = extent_of(fine);
+  const Point &low = extent.low, &high = extent.high;
   const double size = std::max(high[0] - low[0], high[1] - low[1]);
   for (int axis = 0; axis < 2; ++axis) {
     ASSERT_LE(region.enclosure()->low[axis], low[axis] + 1e-12 * size);
@@ -280,12 +286,8 @@ void compare_beyond(double margin, const CurvedContour& contour, RandomPolygons&
                     int points) {
   const RegionEvaluator region(curved_polygon({contour}).region);
   const std::vector<Point> on = traced(contour, 25);
-  Point low = on[0], high = on[0];
-  for (const Point& p : on)
-    for (int axis = 0; axis < 2; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
+  const Box extent = extent_of(on);
+  const Point &low = extent.low, &high = extent.high;
   const double size = std::max(high[0] - low[0], high[1] - low[1]);
   for (int i = 0; i < points; ++i) {
     Point at{random.real(low[0], high[0]), random.real(low[1], high[1])};

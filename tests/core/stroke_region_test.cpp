@@ -8,16 +8,13 @@
 #include "core/bounding_box.hpp"
 #include "core/error.hpp"
 #include "core/stroke.hpp"
+#include "tests/core/chain_distance.hpp"
 #include "tests/core/random_polygons.hpp"
 
 namespace rfm {
 namespace {
 
-double distance_from(const std::vector<CircularEdge>& chain, const Point& x) {
-  double least = INFINITY;
-  for (const CircularEdge& edge : chain) least = std::min(least, edge.distance(x));
-  return least;
-}
+using test::distance_from;
 
 // Inside is what lies within half of the width.
 void expect_near(const Region& region, const std::vector<CircularEdge>& chain, double width,

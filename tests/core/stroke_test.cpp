@@ -12,16 +12,13 @@
 #include "core/evaluate.hpp"
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
+#include "tests/core/chain_distance.hpp"
 #include "tests/core/random_polygons.hpp"
 
 namespace rfm {
 namespace {
 
-double distance_from(const std::vector<CircularEdge>& chain, const Point& x) {
-  double least = INFINITY;
-  for (const CircularEdge& edge : chain) least = std::min(least, edge.distance(x));
-  return least;
-}
+using test::distance_from;
 
 // Inside is what lies within half of the width; both the region and the distance say so.
 void expect_stroke(const std::vector<CircularEdge>& chain, bool closed, double width,

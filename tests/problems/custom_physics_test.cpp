@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "problems/reader.hpp"
-#include "problems/scalar_problem.hpp"
-#include "solvers/integrate.hpp"
+#include "tests/problems/solved_text.hpp"
 
 using namespace rfm;
+using namespace rfm::test;
 
 namespace {
 
@@ -28,18 +27,6 @@ std::string problem_with(const std::string& physics, const std::string& hole) {
          "  - {at: arc, value: x}\n"
          "  - {at: rest, " +
          hole + "}\n";
-}
-
-ScalarSolution solved(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const Problem file = read_problem(make_source("case.yaml", text), overrides);
-  const ScalarProblem problem(file);
-  return problem.solve(problem.grid());
-}
-
-double difference(const ScalarSolution& a, const ScalarSolution& b) {
-  const Field& own = a.results.unknowns[0].field;
-  const Field& other = b.results.unknowns[0].field;
-  return norms(own - other, a.rule).maximum / norms(other, a.rule).maximum;
 }
 
 const std::string built_in =

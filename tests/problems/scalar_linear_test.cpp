@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
-#include "problems/reader.hpp"
-#include "problems/scalar_problem.hpp"
-#include "solvers/integrate.hpp"
+#include "tests/problems/solved_text.hpp"
 
 using namespace rfm;
+using test::difference;
 
 namespace {
 
 // On a disk, with values on its circle.
-ScalarSolution solved(const std::string& physics, const std::vector<std::string>& overrides = {}) {
+ScalarSolution solved_on_disk(const std::string& physics,
+                              const std::vector<std::string>& overrides = {}) {
   const std::string text =
       "dimension: 2\n"
       "fields: {one: cos(x)^2 + sin(x)^2}\n"
@@ -17,28 +17,20 @@ ScalarSolution solved(const std::string& physics, const std::vector<std::string>
       "discretization: {basis: {bspline: 3, cells: 10}}\n"
       "physics: {type: custom, unknowns: [u], " +
       physics + "}\nconditions: [{at: disk, value: x}]\n";
-  const Problem file = read_problem(make_source("case.yaml", text), overrides);
-  const ScalarProblem problem(file);
-  return problem.solve(problem.grid());
-}
-
-double difference(const ScalarSolution& a, const ScalarSolution& b) {
-  const Field& own = a.results.unknowns[0].field;
-  const Field& other = b.results.unknowns[0].field;
-  return norms(own - other, a.rule).maximum / norms(other, a.rule).maximum;
+  return test::solved(text, overrides);
 }
 
 TEST(ScalarLinear, FormulasWithoutUnknownsInTheirTangentsAreLinearByForm) {
-  const ScalarSolution solution = solved("energy: (dx(u)^2 + dy(u)^2)/2 - exp(x)*u");
+  const ScalarSolution solution = solved_on_disk("energy: (dx(u)^2 + dy(u)^2)/2 - exp(x)*u");
   EXPECT_EQ(solution.linearity, Linearity::by_form);
   EXPECT_TRUE(solution.newton.empty());
 }
 
 TEST(ScalarLinear, TermsThatCancelAreLinearByValueAndNeedOneSystem) {
-  const ScalarSolution plain = solved("energy: (dx(u)^2 + dy(u)^2)/2 + u^2/2 - exp(x)*u");
+  const ScalarSolution plain = solved_on_disk("energy: (dx(u)^2 + dy(u)^2)/2 + u^2/2 - exp(x)*u");
   for (const char* energy : {"(dx(u)^2 + dy(u)^2)/2 + u^2/2 + u^4 - u^2*u^2 - exp(x)*u",
                              "(cos(u)^2 + sin(u)^2)*(dx(u)^2 + dy(u)^2)/2 + u^2/2 - exp(x)*u"}) {
-    const ScalarSolution solution = solved(std::string("energy: ") + energy);
+    const ScalarSolution solution = solved_on_disk(std::string("energy: ") + energy);
     EXPECT_EQ(solution.linearity, Linearity::by_value) << energy;
     EXPECT_TRUE(solution.newton.empty());
     EXPECT_LT(difference(solution, plain), 1e-11);
@@ -54,14 +46,14 @@ TEST(ScalarLinear, ResidualsThatCancelAreLinearByValueByEveryMethod) {
     const std::string text(method);
     std::vector<std::string> overrides{"discretization=" + text.substr(0, text.size() - 1) +
                                        ", basis: {bspline: 3, cells: 10}}"};
-    const ScalarSolution plain = solved("residuals: ['" + residual + "']", overrides);
+    const ScalarSolution plain = solved_on_disk("residuals: ['" + residual + "']", overrides);
     const ScalarSolution solution =
-        solved("residuals: ['" + residual + " + u^3 - u*u*u']", overrides);
+        solved_on_disk("residuals: ['" + residual + " + u^3 - u*u*u']", overrides);
     EXPECT_EQ(plain.linearity, Linearity::by_form) << method;
     EXPECT_EQ(solution.linearity, Linearity::by_value) << method;
     EXPECT_TRUE(solution.newton.empty());
     EXPECT_LT(difference(solution, plain), 1e-10) << method;
-    EXPECT_EQ(solved("residuals: ['" + residual + " + u^3']", overrides).linearity,
+    EXPECT_EQ(solved_on_disk("residuals: ['" + residual + " + u^3']", overrides).linearity,
               Linearity::none);
   }
 }
@@ -72,7 +64,7 @@ TEST(ScalarLinear, WhatIsNonlinearOnlyAtTheSolutionIsFoundThere) {
   const std::string threshold =
       "weak: 'dx(u)*dx(test(u)) + dy(u)*dy(test(u)) + 20*max(u - 1000, 0)*test(u) - load*test(u)'";
   const auto with_load = [&](const std::string& load) {
-    return solved("coefficients: {load: " + load + "}, " + threshold);
+    return solved_on_disk("coefficients: {load: " + load + "}, " + threshold);
   };
   const ScalarSolution low = with_load("1000");
   EXPECT_EQ(low.linearity, Linearity::by_value);
@@ -85,7 +77,7 @@ TEST(ScalarLinear, WhatIsNonlinearOnlyAtTheSolutionIsFoundThere) {
 
 TEST(ScalarLinear, NonlinearEquationsAreSaidToBe) {
   const ScalarSolution solution =
-      solved("weak: (1 + u^2)*(dx(u)*dx(test(u)) + dy(u)*dy(test(u))) - test(u)");
+      solved_on_disk("weak: (1 + u^2)*(dx(u)*dx(test(u)) + dy(u)*dy(test(u))) - test(u)");
   EXPECT_EQ(solution.linearity, Linearity::none);
   EXPECT_GT(solution.newton.size(), 2u);
 }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "tests/solvers/form_algebra.hpp"
 #include "tests/solvers/sample_problems.hpp"
 
 namespace rfm {
@@ -15,13 +16,6 @@ using namespace test;
 
 const Field x = x_coordinate(), y = y_coordinate();
 const Field u = unknown_symbol(0, 2), v = test_symbol(0, 2);
-
-Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
-  Field sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
-  return sum;
-}
-Field squared_slope(const Field& f) { return dot(gradient(f, 2), gradient(f, 2)); }
 
 // A structure with data on a triangle, and random coefficients.
 struct State {

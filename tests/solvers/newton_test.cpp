@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "solvers/extension.hpp"
+#include "tests/solvers/form_algebra.hpp"
 #include "tests/solvers/sample_problems.hpp"
 
 namespace rfm {
@@ -13,12 +14,6 @@ using namespace test;
 using testing::HasSubstr;
 
 const Field x = x_coordinate(), y = y_coordinate();
-
-Field dot(const std::vector<Field>& a, const std::vector<Field>& b) {
-  Field sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
-  return sum;
-}
 
 // u = g + ω Ψ on a region, g equal to the exact solution on the boundary only.
 struct NonlinearProblem {
