@@ -246,7 +246,7 @@ TEST(FailureModes3D, ShellsAsThinAsOneTenBillionth) {
                                 4 * pi * (1 + within), 8, 10);
     // The square of the inner radius is rounded to 1e-16.
     EXPECT_LT(error.volume, 1e-11 + 1e-16 / width);
-    EXPECT_LT(error.area, 1e-10);
+    EXPECT_LT(error.area, 1e-11);
     EXPECT_EQ(error.report.uncertified.boxes, 0);
   }
 }
