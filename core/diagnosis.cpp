@@ -7,6 +7,7 @@
 
 #include "core/expression_text.hpp"
 #include "core/expression_tokens.hpp"
+#include "core/named_source.hpp"
 #include "core/tape.hpp"
 
 namespace rfm {
@@ -136,6 +137,8 @@ std::string failure_text(const Field& field, const GraphValues& values) {
     case Operation::parameter:
       return "parameter number " + std::to_string(node.index) + " has no finite value";
     case Operation::source:
+      if (const auto* named = dynamic_cast<const NamedSource*>(node.source.get()))
+        if (std::isnan(value)) return named->outside_text();
       return std::isnan(value)
                  ? "a sampled field outside its region " + box_text(node.source->valid())
                  : "a sampled field that is infinite";

@@ -81,7 +81,9 @@ Field OtherProblems::result(const DocumentNode& map) {
   const Solved& other = solved(*from);
   try {
     const Field result = to_field(Expression(name->text), other.scope);
-    return field(std::make_shared<RestrictedField>(result, *other.problem.domain, other.box));
+    return field(std::make_shared<RestrictedField>(
+        result, *other.problem.domain, other.box,
+        fmt::format("the field '{}' of {} ({})", name->text, from->text, name->place.text())));
   } catch (const InputError& error) {
     refuse(fmt::format("in {}: {}", from->text, error.what()),
            name->place_within(error.offset, error.length));

@@ -8,8 +8,13 @@
 
 namespace rfm {
 
-RestrictedField::RestrictedField(Field field, const Region& region, const Box& box)
-    : field_(std::move(field)), region_(region), box_(box) {}
+RestrictedField::RestrictedField(Field field, const Region& region, const Box& box,
+                                 std::string name)
+    : field_(std::move(field)), region_(region), box_(box), name_(std::move(name)) {}
+
+std::string RestrictedField::outside_text() const {
+  return name_ + " outside the domain of that problem";
+}
 
 const Tape& RestrictedField::tape(int variables, int order) const {
   const std::lock_guard lock(mutex_);

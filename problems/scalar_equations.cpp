@@ -42,6 +42,13 @@ Equations ScalarProblem::equations(const DomainRule& rule) const {
 
 void ScalarProblem::solve_eigen(ScalarSolution& solution) const {
   const Equations equations = this->equations(solution.rule);
+  const bool has_values = std::ranges::any_of(
+      structures(solution.rule.grid()),
+      [](const Structure& structure) { return !structure.inhomogeneous().is_constant(0); });
+  if (has_values || !equations.steady().right_hand_side.isZero(0))
+    solution.notes.push_back(
+        "modes are those of the equations without data: sources, fluxes and values other than 0 "
+        "do not enter");
   solution.unknowns = equations.size();
   solution.results.dimension = problem_.dimension;
   Stopwatch assembly;

@@ -64,11 +64,14 @@ class GlobalForms {
       parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
     return assemble_dense(solution_.structures(), spaces_, parts, rule_);
   }
-  // Tangent, and minus the residual.
-  LinearSystem linearized(const Eigen::VectorXd& coefficients) const {
+  // Tangent, and minus the residual; what is held may be so at another state.
+  LinearSystem linearized(const Eigen::VectorXd& coefficients,
+                          const Eigen::VectorXd* held = nullptr) const {
     const std::vector<Field> fields = this->fields(coefficients);
+    std::vector<Field> held_fields;
+    if (held) held_fields = this->fields(*held);
     std::vector<Contribution> parts;
-    for (const Form& form : forms_) parts.push_back(form.linearized(fields));
+    for (const Form& form : forms_) parts.push_back(form.linearized(fields, held_fields));
     return assemble_dense(changes_, spaces_, parts, rule_);
   }
 
@@ -84,6 +87,10 @@ NewtonSolution solved(const GlobalForms& forms, const LinearSolverOptions& linea
                       const NewtonOptions& options, const Eigen::VectorXd& start) {
   NewtonEquations equations;
   equations.at = [&](const Eigen::VectorXd& state) { return forms.linearized(state); };
+  if (std::ranges::any_of(forms.forms(), &Form::holds_anything))
+    equations.beside = [&](const Eigen::VectorXd& state, const Eigen::VectorXd& held) {
+      return forms.linearized(state, &held);
+    };
   return solve_newton(equations, start, linear, options);
 }
 

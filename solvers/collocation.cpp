@@ -181,29 +181,55 @@ Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& repor
   return std::move(least.solution);
 }
 
+// The lengths of the columns of a matrix.
+Eigen::VectorXd lengths_of(const SparseMatrix& matrix) {
+  Eigen::VectorXd lengths(matrix.cols());
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    lengths[column] = matrix.col(column).norm();
+  return lengths;
+}
+
+// Of residuals of the size of the loads, what is rounding.
+constexpr double rounding = 1e-12;
 // In the region of quadratic convergence.
 constexpr double small_step = 1e-6;
 
-// Steps by an orthogonal factorization have errors of rounding times the square of the condition,
-// below which neither they nor the residuals get any smaller.
-bool is_rounding(std::span<const NewtonIteration> iterations, double residual) {
-  constexpr double same_residual = 1e-7;
-  if (iterations.size() < 2) return false;
-  const NewtonIteration &last = iterations.back(), &before = iterations[iterations.size() - 2];
-  return last.damping == 1 && last.step < small_step && last.step > 0.1 * before.step &&
-         std::fabs(residual - last.residual) <= same_residual * last.residual;
-}
-
 }  // namespace
+
+double residual_load(std::span<const Form> forms, std::span<const Structure> structures,
+                     std::span<const TensorProductSpace> spaces, const DomainRule& rule,
+                     std::span<const CollocationPoints> volume) {
+  const bool has_data = std::ranges::any_of(structures, [](const Structure& structure) {
+    return !structure.inhomogeneous().is_constant(0);
+  });
+  if (!has_data || std::ranges::all_of(forms, &Form::is_linear)) return 0;
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  try {
+    return collocate(forms, std::vector<Field>(structures.size(), 0.0), changes, spaces, rule,
+                     volume)
+        .right_hand_side.norm();
+  } catch (const ComputationError&) {  // not defined there, as a logarithm
+    return 0;
+  }
+}
 
 NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options) {
   NewtonSolution solution;
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.size);
   CollocationSystem system = problem.at(unknowns);
+  const Eigen::VectorXd lengths = lengths_of(system.matrix);
+  const auto size_of = [&](const Eigen::VectorXd& change) {
+    return lengths.cwiseProduct(change).norm();
+  };
   for (int i = 0; i < options.largest_iteration_count; ++i) {
     NewtonIteration& iteration = solution.iterations.emplace_back();
     iteration.residual = system.right_hand_side.norm();
     const Eigen::VectorXd step = full_step(system, solution.linear);
+    if (!problem.is_linear && iteration.residual <= rounding * problem.load) {
+      solution.linear.coefficients = unknowns;
+      return solution;
+    }
     if (i == 0 && options.looks_linear && !problem.is_linear) {
       const Eigen::VectorXd foretold = system.right_hand_side - system.matrix * step;
       const double departure = (problem.at(step).right_hand_side - foretold).norm();
@@ -213,8 +239,8 @@ NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptio
         return solution;
       }
     }
-    const double whole = (unknowns + step).norm();
-    iteration.step = whole > 0 ? step.norm() / whole : 0;
+    const double whole = size_of(unknowns + step);
+    iteration.step = whole > 0 ? size_of(step) / whole : 0;
     if (problem.is_linear || iteration.step <= options.tolerance) {
       if (problem.is_linear) solution.iterations.clear();
       solution.linear.coefficients = unknowns + step;
@@ -232,10 +258,6 @@ NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptio
       }
       const Eigen::VectorXd next = unknowns + iteration.damping * step;
       system = problem.at(next);
-      if (is_rounding(solution.iterations, system.right_hand_side.norm())) {
-        solution.linear.coefficients = next;
-        return solution;
-      }
       if (system.right_hand_side.norm() <= iteration.residual * (1 + 1e-10)) {
         unknowns = next;
         break;
@@ -260,6 +282,7 @@ NewtonSolution solve_collocation(std::span<const Structure> structures,
     return collocate(forms, solution_fields(structures, spaces, coefficients), changes, spaces,
                      rule);
   };
+  problem.load = residual_load(forms, structures, spaces, rule);
   return solve_residuals(problem, options);
 }
 

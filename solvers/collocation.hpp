@@ -52,9 +52,19 @@ struct ResidualProblem {
   std::function<CollocationSystem(const Eigen::VectorXd&)> at;
   Eigen::Index size = 0;
   bool is_linear = false;
+  /// The norm of the residuals where the whole solution is zero, of the size of the loads; 0 where
+  /// it is not known. As in `NewtonEquations`, a start that is the solution is known by it.
+  double load = 0;
 };
+/// `ResidualProblem::load` of residuals that are not linear; 0 where they have no value there, and
+/// where no structure has data, so that the start is zero itself.
+double residual_load(std::span<const Form> forms, std::span<const Structure> structures,
+                     std::span<const TensorProductSpace> spaces, const DomainRule& rule,
+                     std::span<const CollocationPoints> volume = {});
 /// Gauss's and Newton's method from y = 0, each step by Q R, or by a factorisation with pivots
-/// where there are as many residuals as unknowns. Linear problems have no iterations.
+/// where there are as many residuals as unknowns. Linear problems have no iterations. Steps are
+/// measured by what they change in the residuals, so that functions hardly seen by any point do
+/// not count.
 NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options);
 
 }  // namespace rfm

@@ -1,6 +1,7 @@
 #include "solvers/form.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/composition.hpp"
 #include "core/error.hpp"
@@ -46,6 +47,13 @@ std::vector<Field> fields_of(const std::vector<SymbolSlot>& slots) {
   return fields;
 }
 
+std::vector<SymbolSlot> of_role(const std::vector<SymbolSlot>& slots, SymbolRole role) {
+  std::vector<SymbolSlot> own;
+  std::ranges::copy_if(slots, std::back_inserter(own),
+                       [&](const SymbolSlot& slot) { return slot.role == role; });
+  return own;
+}
+
 }  // namespace
 
 Form Form::energy(const Field& density, FormPlace place) {
@@ -54,11 +62,11 @@ Form Form::energy(const Field& density, FormPlace place) {
   SlotNumbering numbering;
   form.density_ = numbering.replaced(density);
   form.slots_ = numbering.slots();
-  const auto [gradient, hessian] = slot_derivatives(form.density_, fields_of(form.slots_));
-  for (const auto& [slot, slope] : gradient)
-    form.residual_.push_back({form.slots_[slot].slot, slope});
+  const std::vector<SymbolSlot> unknowns = of_role(form.slots_, SymbolRole::unknown);
+  const auto [gradient, hessian] = slot_derivatives(form.density_, fields_of(unknowns));
+  for (const auto& [slot, slope] : gradient) form.residual_.push_back({unknowns[slot].slot, slope});
   for (const auto& [row, column, value] : hessian)
-    form.add_tangent(form.slots_[row].slot, form.slots_[column].slot, value);
+    form.add_tangent(unknowns[row].slot, unknowns[column].slot, value);
   return form;
 }
 
@@ -68,13 +76,14 @@ Form Form::weak(const Field& density, FormPlace place) {
   const Field formula = numbering.replaced(density);
   form.slots_ = numbering.slots();
   std::vector<Field> no_test;
-  for (const SymbolSlot& slot : form.slots_) no_test.push_back(slot.is_test ? 0.0 : slot.field());
+  for (const SymbolSlot& slot : form.slots_)
+    no_test.push_back(slot.role == SymbolRole::test ? 0.0 : slot.field());
   const auto refuse = [] {
     throw InvalidArgument("a weak form is linear in the test functions: each of its terms has one");
   };
   if (!with_slots(formula, no_test).is_constant(0)) refuse();
-  std::vector<SymbolSlot> tests, trials;
-  for (const SymbolSlot& slot : form.slots_) (slot.is_test ? tests : trials).push_back(slot);
+  const std::vector<SymbolSlot> tests = of_role(form.slots_, SymbolRole::test);
+  const std::vector<SymbolSlot> trials = of_role(form.slots_, SymbolRole::unknown);
   for (const auto& [test, flux] : slot_gradient(formula, fields_of(tests))) {
     if (!slot_gradient(flux, fields_of(tests)).empty()) refuse();
     form.residual_.push_back({tests[test].slot, flux});
@@ -96,28 +105,29 @@ Form Form::least_squares(const std::vector<Field>& residuals, const std::vector<
     formulas.push_back(numbering.replaced(residual));
   }
   form.slots_ = numbering.slots();
-  const std::size_t count = form.slots_.size();
+  const std::vector<SymbolSlot> unknowns = of_role(form.slots_, SymbolRole::unknown);
+  const std::size_t count = unknowns.size();
   std::vector<Field> forces(count, 0.0);
   for (std::size_t i = 0; i < formulas.size(); ++i) {
     const Field weight = weights.empty() ? Field(1.0) : weights[i];
     form.density_ = form.density_ + 0.5 * weight * formulas[i] * formulas[i];
     std::vector<Field> slopes(count, 0.0);
-    for (const auto& [slot, slope] : slot_gradient(formulas[i], fields_of(form.slots_)))
+    for (const auto& [slot, slope] : slot_gradient(formulas[i], fields_of(unknowns)))
       slopes[slot] = slope;
     ResidualRow& row = form.rows_.emplace_back();
     row.value = sqrt(weight) * formulas[i];
     for (std::size_t s = 0; s < count; ++s)
       if (!slopes[s].is_constant(0))
-        row.slopes.emplace_back(form.slots_[s].slot, sqrt(weight) * slopes[s]);
+        row.slopes.emplace_back(unknowns[s].slot, sqrt(weight) * slopes[s]);
     for (std::size_t s = 0; s < count; ++s) {
       forces[s] = forces[s] + product_or_nothing(weight * slopes[s], formulas[i]);
       for (std::size_t t = s; t < count; ++t)
-        form.add_tangent(form.slots_[s].slot, form.slots_[t].slot,
+        form.add_tangent(unknowns[s].slot, unknowns[t].slot,
                          weight * product_or_nothing(slopes[s], slopes[t]));
     }
   }
   for (std::size_t s = 0; s < count; ++s)
-    if (!forces[s].is_constant(0)) form.residual_.push_back({form.slots_[s].slot, forces[s]});
+    if (!forces[s].is_constant(0)) form.residual_.push_back({unknowns[s].slot, forces[s]});
   return form;
 }
 
@@ -144,10 +154,11 @@ int Form::derivative_order() const {
 
 Form::Replacement Form::symbols(int dimension) const {
   Replacement symbols;
-  for (const auto& [slot, is_test, coordinate] : slots_) {
-    const Field symbol = is_test ? test_symbol(slot.component, dimension)
-                                 : unknown_symbol(slot.component, dimension);
-    symbols.push_back(partial(symbol, slot.derivative));
+  for (const auto& [slot, role, coordinate] : slots_) {
+    const Field symbol = role == SymbolRole::test ? test_symbol(slot.component, dimension)
+                                                  : unknown_symbol(slot.component, dimension);
+    const Field derivative = partial(symbol, slot.derivative);
+    symbols.push_back(role == SymbolRole::held ? held(derivative, dimension) : derivative);
   }
   return symbols;
 }
@@ -190,23 +201,29 @@ Contribution Form::linear() const {
   return at(Replacement(slots_.size(), 0.0));
 }
 
-Form::Replacement Form::slots_of(std::span<const Field> components) const {
+Form::Replacement Form::slots_of(std::span<const Field> components,
+                                 std::span<const Field> held_components) const {
   Replacement slots;
   for (const SymbolSlot& slot : slots_) {
-    if (slot.is_test) {
+    if (slot.role == SymbolRole::test) {
       slots.emplace_back(0.0);
       continue;
     }
-    if (slot.slot.component >= static_cast<int>(components.size()))
+    const bool elsewhere = slot.role == SymbolRole::held && !held_components.empty();
+    const std::span<const Field> own = elsewhere ? held_components : components;
+    if (slot.slot.component >= static_cast<int>(own.size()))
       throw InvalidArgument("a form asks for a component that the solution does not have");
-    slots.push_back(partial(components[slot.slot.component], slot.slot.derivative));
+    slots.push_back(partial(own[slot.slot.component], slot.slot.derivative));
   }
   return slots;
 }
 
-Contribution Form::linearized(std::span<const Field> components) const {
-  return at(slots_of(components));
+Contribution Form::linearized(std::span<const Field> components,
+                              std::span<const Field> held_components) const {
+  return at(slots_of(components, held_components));
 }
+
+bool Form::holds_anything() const { return !of_role(slots_, SymbolRole::held).empty(); }
 
 std::vector<Form::ResidualRow> Form::residual_rows(std::span<const Field> components) const {
   if (kind_ != Kind::least_squares) throw InvalidArgument("only least squares have residuals");

@@ -64,8 +64,12 @@ class Form {
   /// (solvers/linearity.hpp).
   Contribution at(const std::vector<Field>& slots) const;
   /// Tangent and residual where the solution is `components`: a contribution to the equations of
-  /// its *change*, whose structure has no inhomogeneous part.
-  Contribution linearized(std::span<const Field> components) const;
+  /// its *change*, whose structure has no inhomogeneous part. What is held
+  /// (solvers/form_symbols.hpp) has the values of `held_components` instead, if there are any.
+  Contribution linearized(std::span<const Field> components,
+                          std::span<const Field> held_components = {}) const;
+  /// Whether anything in it is held, so that its tangent is not all of its slope.
+  bool holds_anything() const;
   /// A residual of least squares, times the root of its weight, and its derivatives by the slots.
   struct ResidualRow {
     Field value;
@@ -89,7 +93,8 @@ class Form {
 
   Form(Kind kind, FormPlace place) : kind_(kind), place_(std::move(place)) {}
   void add_tangent(const Slot& test, const Slot& trial, const Field& value);
-  Replacement slots_of(std::span<const Field> components) const;
+  Replacement slots_of(std::span<const Field> components,
+                       std::span<const Field> held_components = {}) const;
   Replacement symbols(int dimension) const;
 
   Kind kind_;

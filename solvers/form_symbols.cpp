@@ -17,8 +17,8 @@ namespace {
 // Stands in graphs; whoever evaluates it has forgotten to put a solution in, and sees NaN.
 class Symbol : public FieldSource {
  public:
-  Symbol(int component, bool is_test, int dimension)
-      : component(component), is_test(is_test), dimension_(dimension) {}
+  Symbol(int component, SymbolRole role, int dimension)
+      : component(component), role(role), dimension_(dimension) {}
 
   void evaluate(const std::array<const double*, 3>&, int count, int variables, int order,
                 double* jets, int stride) const override {
@@ -43,7 +43,7 @@ class Symbol : public FieldSource {
   }
 
   const int component;
-  const bool is_test;
+  const SymbolRole role;
 
  private:
   int dimension_;
@@ -96,11 +96,22 @@ Field with_symbols_replaced(const Field& formula, Replace&& replace) {
 }  // namespace
 
 Field unknown_symbol(int component, int dimension) {
-  return field(std::make_shared<Symbol>(component, false, dimension));
+  return field(std::make_shared<Symbol>(component, SymbolRole::unknown, dimension));
 }
 
 Field test_symbol(int component, int dimension) {
-  return field(std::make_shared<Symbol>(component, true, dimension));
+  return field(std::make_shared<Symbol>(component, SymbolRole::test, dimension));
+}
+
+Field held(const Field& formula, int dimension) {
+  return with_symbols_replaced(
+      with_derivatives_at_symbols(formula), [&](const Field& leaf) -> Field {
+        const Symbol& symbol = *symbol_of(leaf);
+        if (symbol.role != SymbolRole::unknown) return leaf;
+        const Field own =
+            field(std::make_shared<Symbol>(symbol.component, SymbolRole::held, dimension));
+        return partial(own, source_derivative(leaf.node().index));
+      });
 }
 
 Field SymbolSlot::field() const { return further_coordinate(coordinate); }
@@ -109,10 +120,10 @@ Field SlotNumbering::of_symbol(const Field& leaf) {
   const Symbol& symbol = *symbol_of(leaf);
   const Slot slot{symbol.component, source_derivative(leaf.node().index)};
   const auto known = std::find_if(slots_.begin(), slots_.end(), [&](const SymbolSlot& own) {
-    return own.slot == slot && own.is_test == symbol.is_test;
+    return own.slot == slot && own.role == symbol.role;
   });
   if (known != slots_.end()) return known->field();
-  slots_.push_back({slot, symbol.is_test, 4 + static_cast<int>(slots_.size())});
+  slots_.push_back({slot, symbol.role, 4 + static_cast<int>(slots_.size())});
   return slots_.back().field();
 }
 
@@ -126,14 +137,15 @@ bool has_symbols(const Field& formula) {
 }
 
 bool has_test_symbols(const Field& formula) {
-  return any_symbol(formula, [](const Symbol& symbol) { return symbol.is_test; });
+  return any_symbol(formula, [](const Symbol& symbol) { return symbol.role == SymbolRole::test; });
 }
 
 Field with_solution(const Field& formula, std::span<const Field> components) {
   return with_symbols_replaced(
       with_derivatives_at_symbols(formula), [&](const Field& leaf) -> Field {
         const Symbol& symbol = *symbol_of(leaf);
-        if (symbol.is_test || symbol.component >= static_cast<int>(components.size()))
+        if (symbol.role == SymbolRole::test ||
+            symbol.component >= static_cast<int>(components.size()))
           throw InvalidArgument("a formula asks for a component that the solution does not have");
         return partial(components[symbol.component], source_derivative(leaf.node().index));
       });

@@ -16,12 +16,18 @@ namespace rfm {
 ///     const Field weak = dot(gradient(u, 2), gradient(v, 2)) - f * v;
 Field unknown_symbol(int component, int dimension);
 Field test_symbol(int component, int dimension);
+/// A formula with its unknowns held: they have the values of the solution, but tangents do not
+/// count their changes. Of weights that depend on the solution and matter less than what they
+/// weigh, as the penalty of values enforced weakly.
+Field held(const Field& formula, int dimension);
+
+enum class SymbolRole { unknown, test, held };
 
 /// A derivative of an unknown or of a test function that occurs in a formula, and the further
 /// coordinate that stands for it.
 struct SymbolSlot {
   Slot slot;
-  bool is_test = false;
+  SymbolRole role = SymbolRole::unknown;
   int coordinate = 4;
   Field field() const;
 };

@@ -95,6 +95,7 @@ NewtonSolution solve_greville(std::span<const Structure> structures,
     system.matrix = SparseMatrix(system.matrix * extension);
     return system;
   };
+  problem.load = residual_load(forms, structures, spaces, rule, points);
   NewtonSolution solution = solve_residuals(problem, options);
   solution.linear.coefficients = extension * solution.linear.coefficients;
   return solution;

@@ -50,7 +50,7 @@ std::vector<Field> random_state(const Form& form, const DomainRule& rule, double
     for (int axis = 0; axis < rule.dimension(); ++axis)
       value = value + uniform(generator) / box.length(axis) *
                           (coordinate(axis) - 0.5 * (box.low[axis] + box.high[axis]));
-    state.push_back(slot.is_test ? Field(0.0) : size * value);
+    state.push_back(slot.role == SymbolRole::test ? Field(0.0) : size * value);
   }
   return state;
 }
@@ -95,16 +95,16 @@ class StateValues {
   double state(int slot, int point) const { return values_[point][slot]; }
 
  private:
-  int number(const Slot& slot, bool is_test) const {
+  int number(const Slot& slot, SymbolRole role) const {
     for (std::size_t i = 0; i < slots_.size(); ++i)
-      if (slots_[i].slot == slot && slots_[i].is_test == is_test) return static_cast<int>(i);
+      if (slots_[i].slot == slot && slots_[i].role == role) return static_cast<int>(i);
     return -1;
   }
-  int trial_number(const Slot& slot) const { return number(slot, false); }
+  int trial_number(const Slot& slot) const { return number(slot, SymbolRole::unknown); }
   // Equations of weak forms are those of test functions, of others those of the unknowns.
   int test_number(const Slot& slot) const {
-    const int test = number(slot, true);
-    return test >= 0 ? test : number(slot, false);
+    const int test = number(slot, SymbolRole::test);
+    return test >= 0 ? test : trial_number(slot);
   }
 
   void evaluate(const std::vector<Field>& roots, const VolumePoints& points, int dimension) {

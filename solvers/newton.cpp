@@ -134,14 +134,15 @@ class Newton {
     for (double damping = 1; damping >= options_.smallest_damping; damping /= 2) {
       const Vector next = coefficients_ + damping * step;
       try {
-        LinearSystem system = equations_.at(next);
+        LinearSystem system =
+            equations_.beside ? equations_.beside(next, coefficients_) : equations_.at(next);
         const double residual = residual_of(system);
         const bool falls = residual <= (1 - 0.25 * damping) * iteration.residual ||
                            (damping == 1 && iteration.step < small_step);
         if (!falls) continue;
         iteration.damping = damping;
         coefficients_ = next;
-        system_ = std::move(system);
+        system_ = equations_.beside ? equations_.at(next) : std::move(system);
         return;
       } catch (const ComputationError& error) {
         cause = error.what();  // a state where the form is not defined: go less far
@@ -208,15 +209,22 @@ NewtonSolution solve_newton(std::span<const Structure> structures,
   const auto all = [&](const Vector& coefficients) {
     return extraction ? Vector(extraction->matrix * coefficients) : coefficients;
   };
-  const auto assembled = [&](const Vector& coefficients, const DomainRule& points) {
+  const auto assembled = [&](const Vector& coefficients, const DomainRule& points,
+                             const Vector* held = nullptr) {
     const std::vector<Field> fields = solution_fields(structures, spaces, all(coefficients));
+    std::vector<Field> held_fields;
+    if (held) held_fields = solution_fields(structures, spaces, all(*held));
     std::vector<Contribution> contributions;
-    for (const Form& form : forms) contributions.push_back(form.linearized(fields));
+    for (const Form& form : forms) contributions.push_back(form.linearized(fields, held_fields));
     LinearSystem system = assemble(changes, spaces, contributions, points, arguments);
     return extraction ? extraction->folded(system) : system;
   };
   NewtonEquations equations;
   equations.at = [&](const Vector& coefficients) { return assembled(coefficients, rule); };
+  if (std::ranges::any_of(forms, &Form::holds_anything))
+    equations.beside = [&](const Vector& coefficients, const Vector& held) {
+      return assembled(coefficients, rule, &held);
+    };
   const bool has_data = std::ranges::any_of(structures, [](const Structure& structure) {
     return !structure.inhomogeneous().is_constant(0);
   });

@@ -60,6 +60,9 @@ struct NewtonSolution {
 struct NewtonEquations {
   /// The tangent, and minus the residual, at c.
   std::function<LinearSystem(const Eigen::VectorXd&)> at;
+  /// The same where what the tangent does not count (`held`, solvers/form_symbols.hpp) stays as at
+  /// the second state: along a step, residuals fall there only. Empty where nothing is held.
+  std::function<LinearSystem(const Eigen::VectorXd&, const Eigen::VectorXd&)> beside{};
   /// The same with a rule of more points, for `Kernel`; may be empty.
   std::function<LinearSystem(const Eigen::VectorXd&)> finer{};
   /// What the equations may leave free, as columns of coefficients: candidates of `Kernel`.

@@ -14,29 +14,42 @@ Form weak_values(const Form& volume, int component, const Field& g,
         "higher ones they need a structure");
   const int dimension = static_cast<int>(normal.size());
   const Field difference = unknown_symbol(component, dimension) - g;
-  Field flux = 0.0, stiffness = 0.0, change = 0.0;
+  // Slopes of the flux are held: where d(u) is far from the data yet, their changes would make
+  // the tangent indefinite, and where they are not, they are as small as the error of the solution.
+  Field flux = 0.0, stiffness = 0.0, change_of_test = 0.0, change = 0.0;
   for (int i = 0; i < dimension; ++i) {
     const Slot slope{component, unit_index(i)};
     flux = flux + product_or_nothing(volume.residual(slope, dimension), normal[i]);
     for (int j = 0; j < dimension; ++j)
       stiffness = stiffness +
-                  product_or_nothing(volume.tangent(slope, {component, unit_index(j)}, dimension),
-                                     normal[i] * normal[j]);
-    for (const SymbolSlot& trial : volume.slots())
-      if (!trial.is_test)
-        change = change +
-                 product_or_nothing(volume.tangent(slope, trial.slot, dimension), normal[i]) *
-                     partial(test_symbol(trial.slot.component, dimension), trial.slot.derivative);
+                  product_or_nothing(
+                      held(volume.tangent(slope, {component, unit_index(j)}, dimension), dimension),
+                      normal[i] * normal[j]);
+    for (const SymbolSlot& trial : volume.slots()) {
+      if (trial.role != SymbolRole::unknown) continue;
+      const Field coefficient = product_or_nothing(
+          held(volume.tangent(slope, trial.slot, dimension), dimension), normal[i]);
+      const auto derivative = [&](const Field& symbol) {
+        return partial(symbol, trial.slot.derivative);
+      };
+      const Field unknown = derivative(unknown_symbol(trial.slot.component, dimension));
+      change = change + coefficient * (unknown - held(unknown, dimension));
+      change_of_test =
+          change_of_test + coefficient * derivative(test_symbol(trial.slot.component, dimension));
+    }
   }
   if (stiffness.is_constant(0))
     throw InvalidArgument(
         "an unknown whose derivatives are not in the equation cannot have values on the boundary");
-  if (volume.kind() == Form::Kind::energy)
-    return Form::energy(0.5 * penalty * stiffness * difference * difference - flux * difference,
+  if (volume.kind() == Form::Kind::energy) {
+    const Field model = volume.is_linear() ? flux : held(flux, dimension) + change;
+    return Form::energy(0.5 * penalty * stiffness * difference * difference - model * difference,
                         std::move(place));
+  }
   const Field test = test_symbol(component, dimension);
-  return Form::weak(penalty * stiffness * difference * test - flux * test - change * difference,
-                    std::move(place));
+  return Form::weak(
+      penalty * stiffness * difference * test - flux * test - change_of_test * difference,
+      std::move(place));
 }
 
 }  // namespace rfm

@@ -77,6 +77,68 @@ TEST(Collocation, HasTheOrderOfLeastSquares) {
   EXPECT_NEAR(std::log2(error_of(10, 4) / error_of(20, 4)), 5, 0.5);
 }
 
+// One unknown y with residuals r(y), twice, so that there are more residuals than unknowns.
+ResidualProblem of_one_unknown(std::function<double(double)> value,
+                               std::function<double(double)> slope) {
+  ResidualProblem problem;
+  problem.size = 1;
+  problem.at = [=](const Eigen::VectorXd& unknowns) {
+    CollocationSystem system;
+    system.right_hand_side = Eigen::VectorXd::Constant(2, -value(unknowns[0]));
+    system.matrix.resize(2, 1);
+    for (int row = 0; row < 2; ++row) system.matrix.insert(row, 0) = slope(unknowns[0]);
+    return system;
+  };
+  return problem;
+}
+
+// Beyond |y| = 1.39 full steps for atan(y) = 0 lead farther and farther away.
+TEST(NonlinearResiduals, ThatGrowAlongTheFullStepAreMetByShorterOnes) {
+  const ResidualProblem problem =
+      of_one_unknown([](double t) { return std::atan(t + 3); },
+                     [](double t) { return 1 / (1 + (t + 3) * (t + 3)); });
+  const NewtonSolution solution = solve_residuals(problem, {});
+  EXPECT_NEAR(solution.linear.coefficients[0], -3, 1e-12);
+  EXPECT_LT(solution.iterations[0].damping, 1);
+  for (std::size_t i = 1; i < solution.iterations.size(); ++i)
+    EXPECT_LE(solution.iterations[i].residual, solution.iterations[i - 1].residual);
+}
+
+TEST(NonlinearResiduals, ThatFallNoFurtherAreAnError) {
+  // The slope has the wrong sign: no step descends.
+  const ResidualProblem problem = of_one_unknown([](double t) { return std::exp(t) + 1; },
+                                                 [](double t) { return -std::exp(t); });
+  EXPECT_THROW(solve_residuals(problem, {}), ComputationError);
+}
+
+TEST(NonlinearResiduals, OfAStartThatIsTheSolutionAreKnownByTheLoad) {
+  ResidualProblem problem = of_one_unknown([](double t) { return 1e-15 * (1 + t * t); },
+                                           [](double t) { return 1 + 2e-15 * t; });
+  problem.load = 1;
+  const NewtonSolution solution = solve_residuals(problem, {});
+  EXPECT_EQ(solution.linear.coefficients[0], 0);
+}
+
+// A second unknown that residuals hardly see is noise, however large.
+TEST(NonlinearResiduals, AreNotJudgedByWhatTheyDoNotSee) {
+  int calls = 0;
+  ResidualProblem problem;
+  problem.size = 2;
+  problem.at = [&](const Eigen::VectorXd& c) {
+    const double noise = ++calls % 2 == 0 ? 1e-13 : -1e-13;
+    CollocationSystem system;
+    system.right_hand_side =
+        -Eigen::Vector3d(c[0] * c[0] - 1 + 2 * (c[0] - 1), 1e-14 * c[1] + noise, 0);
+    system.matrix.resize(3, 2);
+    system.matrix.insert(0, 0) = 2 * c[0] + 2;
+    system.matrix.insert(1, 1) = 1e-14;
+    return system;
+  };
+  const NewtonSolution solution = solve_residuals(problem, {});
+  EXPECT_NEAR(solution.linear.coefficients[0], 1, 1e-14);
+  EXPECT_LT(solution.iterations.size(), 9u);
+}
+
 TEST(SparseQr, IsTheDenseLeastSquaresSolution) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
