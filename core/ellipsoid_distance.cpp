@@ -103,23 +103,67 @@ void EllipsoidDistance::evaluate(const std::array<const double*, 3>& coordinates
   }
 }
 
+std::array<Interval, maximum_variables> EllipsoidDistance::gradient(const Box& box,
+                                                                    bool& smooth) const {
+  std::array<Interval, maximum_variables> gradient{};
+  for (int axis = 0; axis < dimension_; ++axis) gradient[axis] = Interval(-1, 1);
+  Point least{}, most{};
+  for (int axis = 0; axis < dimension_; ++axis) {
+    const Interval size = abs(box.interval(axis));
+    least[axis] = size.low;
+    most[axis] = size.high;
+  }
+  const Root lowest = root(least);
+  // Roundings of t, relative to the squares it is added to.
+  constexpr double rounding = 1e-12;
+  const double margin = rounding * (squares_[0] + squares_[1] + squares_[2] + std::fabs(lowest.t));
+  smooth = !lowest.on_focal && lowest.t - margin > -squares_[thinnest_];
+  if (!smooth) return gradient;
+  const double highest = root(most).t;
+  const Interval t(lowest.t - margin, highest + rounding * std::fabs(highest) + margin);
+  std::array<Interval, 3> p{};
+  for (int axis = 0; axis < dimension_; ++axis)
+    p[axis] = box.interval(axis) / (t + Interval(squares_[axis]));
+  for (int axis = 0; axis < dimension_; ++axis) {
+    Interval others(0);
+    for (int other = 0; other < dimension_; ++other)
+      if (other != axis) others = others + square(p[other]);
+    // p / √(p² + q) grows with p, and its size falls with q.
+    const auto slope = [&](double own, bool up) {
+      const double q = (own > 0) == up ? others.low : others.high;
+      return own == 0 ? 0.0 : own / std::sqrt(own * own + std::max(0.0, q));
+    };
+    gradient[axis] = Interval(std::max(-1.0, -slope(p[axis].high, true) - rounding),
+                              std::min(1.0, -slope(p[axis].low, false) + rounding));
+  }
+  return gradient;
+}
+
 FunctionBounds EllipsoidDistance::bounds(const Box& box) const {
   const Point center = box.center();
-  double square = 0;
-  for (int axis = 0; axis < dimension_; ++axis) {
-    const double radius = std::max(box.high[axis] - center[axis], center[axis] - box.low[axis]);
-    square += radius * radius;
-  }
   FunctionBounds bounds;
   for (int axis = 0; axis < dimension_; ++axis) bounds.gradient[axis] = Interval(-1, 1);
-  bounds.smooth = !box.interval(thinnest_).contains(0);
-  if (!std::isfinite(square)) {
+  bounds.smooth = false;
+  Point half{};
+  bool finite = true;
+  for (int axis = 0; axis < dimension_; ++axis) {
+    half[axis] = std::max(box.high[axis] - center[axis], center[axis] - box.low[axis]);
+    finite = finite && std::isfinite(half[axis]);
+  }
+  if (!finite) {
     bounds.value = Interval(-std::numeric_limits<double>::infinity(), radii_[thinnest_]);
     return bounds;
   }
+  bounds.gradient = gradient(box, bounds.smooth);
+  double change = 0, square = 0, rounding = 0;
+  for (int axis = 0; axis < dimension_; ++axis) {
+    const Interval& slope = bounds.gradient[axis];
+    change += std::max(std::fabs(slope.low), std::fabs(slope.high)) * half[axis];
+    square += half[axis] * half[axis];
+    rounding += radii_[axis] + half[axis];
+  }
   const double value = distance(center, root(center));
-  const double reach = std::sqrt(square) + 1e-13 * (std::fabs(value) + radii_[0] + radii_[1] +
-                                                    radii_[2] + std::sqrt(square));
+  const double reach = std::min(change, std::sqrt(square)) + 1e-13 * (std::fabs(value) + rounding);
   bounds.value = Interval(value - reach, value + reach);
   return bounds;
 }

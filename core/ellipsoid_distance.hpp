@@ -11,7 +11,8 @@ class EllipsoidDistance final : public FieldSource {
 
   void evaluate(const std::array<const double*, 3>& coordinates, int count, int variables,
                 int order, double* jets, int stride) const override;
-  /// By the value at the centre: slopes are at most 1.
+  /// Slopes by the multiplier t, which grows with every |x_i|: −p / |p| with p_i = x_i / (t + a_i²);
+  /// the value by that at the centre and the slopes.
   FunctionBounds bounds(const Box& box) const override;
   std::vector<double> breakpoints(int axis) const override;
   Box valid() const override;
@@ -23,6 +24,7 @@ class EllipsoidDistance final : public FieldSource {
   };
   Root root(const Point& point) const;
   double distance(const Point& point, const Root& root) const;
+  std::array<Interval, maximum_variables> gradient(const Box& box, bool& smooth) const;
 
   int dimension_;
   std::array<double, 3> radii_{}, squares_{};

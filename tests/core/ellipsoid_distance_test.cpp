@@ -50,6 +50,48 @@ TEST(EllipsoidDistance, AlongANormalIsTheWayFromTheSurface) {
     }
 }
 
+// Slopes at random points of random boxes, which are as tight as their side is small.
+TEST(EllipsoidDistance, BoundsHoldTheSlopesAndShrinkWithTheBox) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (const int dimension : {2, 3}) {
+    const Point radii{1.5, 0.5, 0.8};
+    const EllipsoidDistance source(radii, dimension);
+    const Field distance = ellipsoid_distance(radii, dimension);
+    for (const double side : {1.0, 0.1, 1e-3}) {
+      int smooth = 0;
+      for (int repetition = 0; repetition < 300; ++repetition) {
+        Box box{dimension, {}, {}};
+        double far = 0;
+        for (int axis = 0; axis < dimension; ++axis) {
+          const double middle = 4 * uniform(generator) - 2;
+          box.low[axis] = middle - side * uniform(generator);
+          box.high[axis] = middle + side * uniform(generator);
+          far += middle * middle / (radii[axis] * radii[axis]);
+        }
+        const FunctionBounds bounds = source.bounds(box);
+        smooth += bounds.smooth;
+        for (int sample = 0; sample < 20; ++sample) {
+          Point at{};
+          for (int axis = 0; axis < dimension; ++axis)
+            at[axis] = box.low[axis] + uniform(generator) * (box.high[axis] - box.low[axis]);
+          const PointJet jet = evaluate(distance, at, 1);
+          EXPECT_TRUE(bounds.value.contains(jet.value()));
+          for (int axis = 0; axis < dimension; ++axis) {
+            EXPECT_TRUE(
+                bounds.gradient[axis].contains(jet.derivative(axis == 0, axis == 1, axis == 2)));
+          }
+        }
+        // Where curvatures of the level are at most 4.
+        for (int axis = 0; axis < dimension && far > 1; ++axis) {
+          EXPECT_LT(bounds.gradient[axis].width(), 40 * side);
+        }
+      }
+      EXPECT_GT(smooth, side < 0.5 ? 280 : 100);
+    }
+  }
+}
+
 TEST(EllipsoidDistance, BoundsShrinkWithTheBoxAndKnowTheFocalSet) {
   const EllipsoidDistance source({2, 1}, 2);
   for (const double side : {1e-1, 1e-3, 1e-6}) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/evaluate.hpp"
+#include "core/exact_distances.hpp"
 #include "core/spline_field.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "tests/quadrature/standard_regions.hpp"
@@ -19,7 +20,7 @@ DomainRule rule_for(const Region& region, const Grid& grid, int points) {
   return make_domain_rule(RegionEvaluator(region), grid, options);
 }
 
-TEST(FieldsWithoutTree, OffsetOfAnEllipseByItsParallelCurve) {
+TEST(FieldsWithoutTree, AStadiumHasASmoothLevelToFirstOrderOnly) {
   // Points within 0.2 of the segment |x| ≤ 0.6: a stadium from one field, of length 1.2 and ends of
   // radius 0.2. Its level √((|x| − 0.6)₊² + y²) is smooth across x = ±0.6 to first order only.
   const Field beyond = max(abs(x()) - 0.6, Field(0.0));
@@ -27,6 +28,38 @@ TEST(FieldsWithoutTree, OffsetOfAnEllipseByItsParallelCurve) {
   const DomainRule rule = rule_for(stadium, grid(1.1, 16), 8);
   EXPECT_NEAR(rule.measure(), 0.48 + 0.04 * pi, 1e-9 + rule.report().uncertified.measure);
   EXPECT_NEAR(rule.boundary_measure(), 2.4 + 0.4 * pi, 1e-6 + rule.report().uncertified.measure);
+}
+
+// J. Steiner's formulas: an offset of d adds L d + π d² to the area and 2 π d to the perimeter.
+TEST(FieldsWithoutTree, OffsetOfAnEllipseByItsParallelCurve) {
+  const double perimeter = 7.26633616541076, area = 1.5 * 0.75 * pi, offset = 0.2;
+  const Region region = region_of(ellipsoid_distance({1.5, 0.75}, 2) + offset, 2);
+  const auto order = [&](int points) { return rule_for(region, grid(2, 16), points); };
+  const DomainRule rule = order(10);
+  EXPECT_EQ(rule.report().uncertified.boxes, 0);
+  EXPECT_NEAR(rule.measure(), area + perimeter * offset + pi * offset * offset, 1e-12);
+  EXPECT_NEAR(rule.boundary_measure(), perimeter + 2 * pi * offset, 1e-11);
+  // Inwards, as far as the radius of curvature 0.375 at the tips allows.
+  const Region inner = region_of(ellipsoid_distance({1.5, 0.75}, 2) - offset, 2);
+  const DomainRule less = rule_for(inner, grid(2, 32), 10);
+  EXPECT_EQ(less.report().uncertified.boxes, 0);
+  EXPECT_NEAR(less.measure(), area - perimeter * offset + pi * offset * offset, 1e-9);
+  EXPECT_NEAR(less.boundary_measure(), perimeter - 2 * pi * offset, 1e-7);
+}
+
+// In space the volume is a cubic of the offset, its slope the surface.
+TEST(FieldsWithoutTree, OffsetsOfAnEllipsoidHaveTheVolumesOfSteiner) {
+  const auto shell = [](double offset) {
+    return rule_for(region_of(ellipsoid_distance({1, 0.8, 0.6}, 3) + offset, 3), grid(1.6, 8, 3),
+                    6);
+  };
+  const double ball = 4 * pi / 3, h = 0.1;
+  const DomainRule one = shell(h), two = shell(2 * h), three = shell(3 * h), four = shell(4 * h);
+  EXPECT_EQ(one.report().uncertified.boxes, 0);
+  EXPECT_NEAR(four.measure() - 3 * three.measure() + 3 * two.measure() - one.measure(),
+              6 * ball * h * h * h, 1e-5);
+  EXPECT_NEAR(three.boundary_measure() - 2 * two.boundary_measure() + one.boundary_measure(),
+              6 * ball * h * h, 1e-3);
 }
 
 TEST(FieldsWithoutTree, ABlendOfTwoDisksMixesWithALine) {
