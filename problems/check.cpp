@@ -74,6 +74,9 @@ void log_corners(const ScalarProblem& problem, RunLog& log) {
   } else {
     const EdgeRule edges = make_edge_rule(region, problem.bounds());
     log.line("{} vertices, edges of length {:.12g}", search.vertices.size(), edges.points.length());
+    if (edges.report.order_difference > 1e-9 * edges.points.length())
+      log.line("note: of the lengths of edges, orders differ by {:.1e}",
+               edges.report.order_difference);
     if (edges.report.uncertified_boxes > 0)
       log.line("note: edges of length {:.3g} could not be resolved",
                edges.report.uncertified_length);

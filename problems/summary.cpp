@@ -61,14 +61,19 @@ void add_probes(ordered_json& summary, const std::vector<ProbeResult>& probes, i
   }
 }
 
-// How many corners the plane has; how many vertices space, and the length of its edges.
-void add_corners(ordered_json& measures, const ScalarProblem& problem) {
+// How many corners the plane has; how many vertices space, and the length of its edges, whose
+// accuracy is returned.
+ordered_json add_corners(ordered_json& measures, const ScalarProblem& problem) {
   const RegionEvaluator& region = problem.region();
-  if (region.dimension() == 1) return;
+  if (region.dimension() == 1) return {};
   const std::size_t count = find_vertices(region, problem.bounds()).vertices.size();
   measures[region.dimension() == 2 ? "corners" : "vertices"] = count;
-  if (region.dimension() == 3)
-    measures["edges"] = make_edge_rule(region, problem.bounds()).points.length();
+  if (region.dimension() < 3) return {};
+  const EdgeRule edges = make_edge_rule(region, problem.bounds());
+  measures["edges"] = edges.points.length();
+  return {{"order_difference", edges.report.order_difference},
+          {"uncertified_length", edges.report.uncertified_length},
+          {"contact_boxes", edges.report.contact_boxes}};
 }
 
 void add_eigenvalues(ordered_json& summary, const EigenResult& eigen, const RunReport& report) {
@@ -149,7 +154,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
   for (int k : problem.bounding_primitives())
     measures["boundary"][problem.region().region().primitives()[k]->name] =
         solution.rule.boundary_measure(k);
-  add_corners(measures, problem);
+  const ordered_json edges = add_corners(measures, problem);
   for (const auto& [name, deviation] : distance_quality(
            domain_function(problem), problem, solution.rule, problem.bounding_primitives()))
     summary["distance_quality"][name] = deviation;
@@ -193,6 +198,7 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
       {"linear_solver", solution.eigen ? "lanczos" : method_name(solution.linear.method)},
       {"smallest_eigenvalue", solution.linear.smallest_eigenvalue},
       {"dropped_splines", solution.linear.dropped}};
+  if (!edges.empty()) summary["trust"]["edges"] = edges;
   if (solution.linear.dependent > 0)
     summary["trust"]["dependent_functions"] = solution.linear.dependent;
   if (solution.undetermined) summary["trust"]["undetermined"] = *solution.undetermined;

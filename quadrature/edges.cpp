@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/point_algebra.hpp"
@@ -39,13 +40,19 @@ int graph_axis(const FunctionBounds& a, const FunctionBounds& b) {
 // Traces the edge between two primitives through one part of the box.
 class EdgeTracer {
  public:
-  EdgeTracer(const RegionEvaluator& region, double size, const GaussRule& gauss, EdgeRule& rule)
-      : region_(region), size_(size), gauss_(gauss), rule_(rule) {}
+  EdgeTracer(const RegionEvaluator& region, double size, const EdgeOptions& options, EdgeRule& rule)
+      : region_(region),
+        size_(size),
+        tolerance_(options.tolerance * size),
+        gauss_(gauss_legendre(options.points)),
+        fewer_(gauss_legendre(std::max(1, options.points - 2))),
+        rule_(rule) {}
 
   void trace(const CandidateBox& part, const PrimitivePair& pair) {
     part_ = &part;
     pair_ = pair;
     functions_ = {&level(pair.first), &level(pair.second)};
+    boxes_left_ = most_boxes;
     visit(part.box, 0);
   }
 
@@ -55,8 +62,9 @@ class EdgeTracer {
   }
 
   void visit(const Box& box, int depth) {
-    // Sixteen times finer along each axis.
-    constexpr int contact_depth = 12;
+    // Sixteen times finer along each axis; bends too tight for that, 2¹⁸ times.
+    constexpr int contact_depth = 12, most_depth = 54;
+    --boxes_left_;
     const FunctionBounds a = functions_[0]->bounds(box), b = functions_[1]->bounds(box);
     if (a.value.excludes_zero() || b.value.excludes_zero() ||
         are_apart(functions_[0]->quadric(), functions_[1]->quadric(), box))
@@ -67,6 +75,8 @@ class EdgeTracer {
       for (const Box& half : bisect(box, box.longest_axis())) visit(half, depth + 1);
     } else if (is_contact(box)) {
       follow_contact(box);
+    } else if (depth < most_depth && boxes_left_ > 0) {
+      for (const Box& half : bisect(box, box.longest_axis())) visit(half, depth + 1);
     } else {
       add_uncertified(box);
     }
@@ -195,12 +205,45 @@ class EdgeTracer {
   void add_part(const Box& box, const Point& from, const Point& to) {
     Point middle{};
     if (!graph_point(from, to, 0.5, middle)) return add_uncertified(box);
-    if (!box.contains(middle) || !is_edge(middle)) return;
+    if (box.contains(middle) && is_edge(middle)) add_rule(box, from, to, 0);
+  }
+
+  // Length by a rule, and its points; none where Newton's method does not find one.
+  std::optional<double> length_by(const GaussRule& gauss, const Point& from, const Point& to,
+                                  std::vector<Point>& points) const {
+    points.resize(gauss.size());
+    double sum = 0;
+    for (int i = 0; i < gauss.size(); ++i) {
+      if (!graph_point(from, to, gauss.nodes[i], points[i])) return std::nullopt;
+      const Point t = tangent_at(points[i]);
+      sum += gauss.weights[i] * norm(t) / std::fabs(t[axis_]);
+    }
+    return sum * (to[axis_] - from[axis_]);
+  }
+
+  void add_rule(const Box& box, const Point& from, const Point& to, int depth) {
+    constexpr int most_depth = 8;
+    std::vector<Point> points;
+    const std::optional<double> coarse = length_by(fewer_, from, to, points);
+    const std::optional<double> fine = length_by(gauss_, from, to, points);
+    if (!coarse || !fine) return add_uncertified(box);
+    const double difference = std::fabs(*fine - *coarse);
+    Point middle{};
+    if (difference > tolerance_ && depth < most_depth && graph_point(from, to, 0.5, middle)) {
+      add_rule(box, from, middle, depth + 1);
+      return add_rule(box, middle, to, depth + 1);
+    }
+    rule_.report.order_difference += difference;
     const double width = to[axis_] - from[axis_];
-    std::vector<Point> points(gauss_.size());
-    for (int i = 0; i < gauss_.size(); ++i)
-      if (!graph_point(from, to, gauss_.nodes[i], points[i])) return add_uncertified(box);
     for (int i = 0; i < gauss_.size(); ++i) add_point(points[i], width * gauss_.weights[i]);
+  }
+
+  // Its length is that of the gradients times the sine between them.
+  Point tangent_at(const Point& point) const {
+    Point a{}, b{};
+    functions_[0]->value_and_gradient(point, a);
+    functions_[1]->value_and_gradient(point, b);
+    return cross(a, b);
   }
 
   LocalStructure structure_at(const Point& point) const {
@@ -229,10 +272,7 @@ class EdgeTracer {
   }
 
   void add_point(const Point& point, double weight) {
-    Point a{}, b{};
-    functions_[0]->value_and_gradient(point, a);
-    functions_[1]->value_and_gradient(point, b);
-    const Point t = cross(a, b);
+    const Point t = tangent_at(point);
     const double length = norm(t);
     const Point tangent = scaled(1 / length, t);
     const auto [u, v] = plane_across(tangent);
@@ -248,9 +288,12 @@ class EdgeTracer {
   }
 
   static constexpr double rounding = 1e-12;
+  // For one pair of primitives in one part of the box.
+  static constexpr int most_boxes = 20000;
+  int boxes_left_ = 0;
   const RegionEvaluator& region_;
-  double size_;
-  const GaussRule& gauss_;
+  double size_, tolerance_;
+  const GaussRule &gauss_, &fewer_;
   EdgeRule& rule_;
   const CandidateBox* part_ = nullptr;
   PrimitivePair pair_{};
@@ -290,9 +333,10 @@ double EdgePoints::length(int primitive, int other) const {
 EdgeRule make_edge_rule(const RegionEvaluator& region, const Box& box, const EdgeOptions& options) {
   if (region.dimension() != 3) throw InvalidArgument("edges are those of bodies in space");
   if (options.cells < 1) throw InvalidArgument("edges need one cell or more");
+  if (!(options.tolerance >= 0)) throw InvalidArgument("a tolerance is not negative");
   EdgeRule rule;
   const double size = box.longest_side();
-  EdgeTracer tracer(region, size, gauss_legendre(options.points), rule);
+  EdgeTracer tracer(region, size, options, rule);
   const int crowded =
       visit_candidate_boxes(region, box, size / options.cells, [&](const CandidateBox& part) {
         for (const PrimitivePair& pair : part.pairs) tracer.trace(part, pair);

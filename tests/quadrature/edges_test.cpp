@@ -63,7 +63,7 @@ TEST(Edges, ANapkinRingHasTwoCirclesOfEqualAngles) {
 double error_of_arcs(int cells, int points) {
   const Region quarter =
       napkin_ring() & half_space({0, 0, 0}, {1, 0, 0}) & half_space({0, 0, 0}, {0, 1, 0});
-  const EdgeRule rule = edges_of(quarter, cube_box(1, 3), {points, cells});
+  const EdgeRule rule = edges_of(quarter, cube_box(1, 3), {points, cells, INFINITY});
   return std::fabs(rule.points.length(0, 1) - 0.6 * pi);
 }
 
@@ -172,6 +172,46 @@ TEST(Edges, AFilletTouchesWithoutAnEdge) {
   EXPECT_EQ(rule.report.uncertified_boxes, 0);
   // Two along y, at the bottom; two ends of a half circle and three straight sides.
   EXPECT_NEAR(rule.points.length(), 2 * 2 + 2 * (0.5 * pi + 3), 1e-2);
+}
+
+// The perimeter of an ellipse by the trapezoidal rule, which converges geometrically.
+double perimeter(double a, double b) {
+  const int n = 2000;
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+    sum += std::hypot(a * std::sin(2 * pi * i / n), b * std::cos(2 * pi * i / n)) * 2 * pi / n;
+  return sum;
+}
+
+TEST(Edges, OfHolesThatAreSmallBesideTheBodyAreFound) {
+  const double slant = std::sqrt(1.13);
+  for (const double r : {5.0, 1.0, 0.1, 0.01, 1e-3}) {
+    // Beyond ten thousand times smaller not all is resolved, which is told.
+    const bool certified = r > 1e-2 - 1e-9;
+    const Region block = box({0, 0, 0}, {100, 100, 100}, 3) -
+                         cylinder({33.3, 47.7, 50}, {0, 0, 1}, r) -
+                         cylinder({71.3, 17.7, 50}, {0.3, 0.2, 1}, r);
+    const EdgeRule rule = edges_of(block, {3, {0, 0, 0}, {100, 100, 100}});
+    EXPECT_EQ(rule.report.uncertified_boxes == 0, certified) << r;
+    EXPECT_NEAR(rule.points.length(), 1200 + 4 * pi * r + 2 * perimeter(slant * r, r),
+                1e-8 + rule.report.uncertified_length)
+        << r;
+    EXPECT_LT(rule.report.order_difference, 1e-7) << r;
+  }
+}
+
+TEST(Edges, OrdersDifferByMoreThanTheErrorWhereBoxesAreCoarse) {
+  for (const double r : {0.9, 1.1, 1.3})
+    for (const int cells : {2, 3, 4, 6}) {
+      const Region block = box({-2, -2, -2}, {2, 2, 2}, 3) - cylinder({0.1, 0.05, 0}, {0, 0, 1}, r);
+      const EdgeRule rule = edges_of(block, cube_box(2, 3), {6, cells, INFINITY});
+      EXPECT_LE(std::fabs(rule.points.length() - 48 - 4 * pi * r),
+                rule.report.order_difference + 1e-12);
+      EXPECT_LT(rule.report.order_difference, 1e-2);
+      // Parts are divided until they agree.
+      const EdgeRule fine = edges_of(block, cube_box(2, 3), {6, cells});
+      EXPECT_NEAR(fine.points.length(), 48 + 4 * pi * r, 1e-10);
+    }
 }
 
 TEST(Edges, WhatIsNoBodyIsRefused) {
