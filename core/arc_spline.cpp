@@ -1,8 +1,10 @@
 #include "core/arc_spline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "core/coordinate_rounding.hpp"
 #include "core/error.hpp"
 
 namespace rfm {
@@ -93,20 +95,108 @@ std::vector<CircularEdge> biarc(const Point& from, const Point& t, const Point& 
   return {CircularEdge::leaving(from, t, joint), CircularEdge::leaving(to, back, joint).reversed()};
 }
 
+double size_of(const std::vector<Point>& points) {
+  double size = 0;
+  for (const Point& p : points)
+    size = std::max({size, std::fabs(p[0] - points[0][0]), std::fabs(p[1] - points[0][1])});
+  return size;
+}
+
+// Of a point to the left of the line from `from` to `to`.
+double height(const Point& from, const Point& to, const Point& point) {
+  const Point along = unit(minus(to, from)), v = minus(point, from);
+  return along[0] * v[1] - along[1] * v[0];
+}
+
+// What lies between two points is straight as far as their digits tell: see `arc_spline`.
+class Straightening {
+ public:
+  Straightening(std::vector<std::vector<CircularEdge>>& spans, double tolerance, bool closed)
+      : spans_(spans), tolerance_(tolerance), closed_(closed) {}
+
+  void run() {
+    std::vector<bool> flat;
+    for (auto& span : spans_) {
+      flat.push_back(is_flat(span));
+      if (flat.back()) span = {{span.front().from, span.back().to, 0}};
+    }
+    const std::size_t count = spans_.size();
+    // A run does not begin in the middle of a straight part.
+    const auto bent = std::ranges::find(flat, false);
+    const std::size_t start = closed_ && bent != flat.end() ? bent - flat.begin() : 0;
+    for (std::size_t i = 0; i < count;) {
+      std::size_t length = 0;
+      while (i + length < count && flat[(start + i + length) % count] &&
+             is_straight(start + i, length + 1))
+        ++length;
+      if (length > 1) put_on_a_line(start + i, length);
+      i += std::max<std::size_t>(length, 1);
+    }
+  }
+
+ private:
+  static constexpr double gentle_ = 1e-3;  // heights over chords
+
+  bool is_flat(const std::vector<CircularEdge>& span) const {
+    const Point &from = span.front().from, &to = span.back().to;
+    double off = 0, sagitta = 0;
+    for (const CircularEdge& edge : span) {
+      off = std::max(off, std::fabs(height(from, to, edge.to)));
+      sagitta = std::max(sagitta, std::fabs(edge.bulge) * edge.chord() / 2);
+    }
+    const Point chord = minus(to, from);
+    return off + sagitta <= std::min(tolerance_, gentle_ * std::hypot(chord[0], chord[1]));
+  }
+
+  CircularEdge& chord(std::size_t span) { return spans_[span % spans_.size()].front(); }
+
+  // Whether the points between `length` chords lie near the line through the ends of all.
+  bool is_straight(std::size_t first, std::size_t length) {
+    const Point from = chord(first).from, to = chord(first + length - 1).to;
+    if (from == to) return false;
+    const Point along = unit(minus(to, from));
+    for (std::size_t i = first; i < first + length; ++i) {
+      const Point step = unit(minus(chord(i).to, chord(i).from));
+      if (std::fabs(height(from, to, chord(i).to)) > tolerance_ ||
+          dot(step, along) < 1 - 32 * gentle_ * gentle_)
+        return false;
+    }
+    return true;
+  }
+
+  void put_on_a_line(std::size_t first, std::size_t length) {
+    const Point from = chord(first).from, to = chord(first + length - 1).to;
+    const Point along = unit(minus(to, from));
+    for (std::size_t i = first; i + 1 < first + length; ++i) {
+      const double reach = dot(minus(chord(i).to, from), along);
+      chord(i).to = {from[0] + reach * along[0], from[1] + reach * along[1]};
+      chord(i + 1).from = chord(i).to;
+    }
+  }
+
+  std::vector<std::vector<CircularEdge>>& spans_;
+  double tolerance_;
+  bool closed_;
+};
+
 }  // namespace
 
 ArcSpline arc_spline(const std::vector<Point>& points, bool closed) {
   const Nodes nodes(points, closed);
   const auto& p = nodes.points;
   const std::vector<Point> tangents = tangents_of(nodes, closed);
-  ArcSpline spline;
+  std::vector<std::vector<CircularEdge>> spans;
   for (std::size_t i = 0; i < (closed ? p.size() : p.size() - 1); ++i) {
     const std::size_t next = (i + 1) % p.size();
-    for (const CircularEdge& edge : biarc(p[i], tangents[i], p[next], tangents[next])) {
+    spans.push_back(biarc(p[i], tangents[i], p[next], tangents[next]));
+  }
+  Straightening(spans, std::min(1.5 * coordinate_rounding(p), 1e-4 * size_of(p)), closed).run();
+  ArcSpline spline;
+  for (std::size_t i = 0; i < spans.size(); ++i)
+    for (const CircularEdge& edge : spans[i]) {
       spline.edges.push_back(edge);
       spline.spans.push_back(nodes.numbers[i]);
     }
-  }
   return spline;
 }
 

@@ -19,6 +19,13 @@ struct ArcSpline {
 /// tangent lengths (a biarc), or one where that suffices. Points on a circle or a line give that
 /// circle or line. Between points of a smooth curve a distance h apart the error is O(h³).
 ///
+/// Points of a line that were written with a limited number of digits are not on a line, and arcs
+/// through them would wind about it. So what differs from its chord by less than δ, which is 1.5
+/// units of the last place given (`coordinate_rounding`) and at most 10⁻⁴ of the size of the whole,
+/// and by less than 1/1000 of its length, is its chord; and of chords that follow each other within
+/// δ of one line, the points between are moved onto it. The curve is off by 2δ at most, and its
+/// direction by 1/100. Points that need all digits of a double are not affected.
+///
 /// Arcs instead of polynomials: their functions are exact and normalised, their offsets are arcs
 /// again, and the distance from them is a closed form.
 ///

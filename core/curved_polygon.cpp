@@ -113,7 +113,8 @@ class CurvedPolygonBuilder {
   }
 
   void mark_smooth_joints() {
-    constexpr double rounding = 1e-9;
+    // Splines through rounded points turn by less than this where they pass into a line.
+    constexpr double gentle = 0.01;
     for (const auto& contour : contours_)
       for (std::size_t i = 0; i < contour.size(); ++i) {
         const CurvePiece& piece = contour[i].piece;
@@ -121,7 +122,7 @@ class CurvedPolygonBuilder {
         while (contour[next].is_tangent) next = (next + 1) % contour.size();
         const CurvePiece& other = contour[next].piece;
         if (contour[i].is_tangent || curve_of_.at(piece.edge) == curve_of_.at(other.edge)) continue;
-        if (std::fabs(cross(piece.end_direction(), other.start_direction())) > rounding) continue;
+        if (std::fabs(cross(piece.end_direction(), other.start_direction())) > gentle) continue;
         for (const int edge : {piece.edge, other.edge})
           primitives_[curve_of_.at(edge)].joins_smoothly = true;
       }

@@ -52,6 +52,7 @@ class ChainBuilder {
     for (const ChainLink& link : links_)
       for (int axis = 0; axis < 2; ++axis)
         size_ = std::max(size_, std::fabs(link.start[axis] - links_[0].start[axis]));
+    whole_ = links_;
     for (ChainLink& link : links_)
       if (link.hull) link.hull = shrunk(*link.hull, size_);
     rounding_ = 0x1p-50 * size_;
@@ -229,9 +230,10 @@ class ChainBuilder {
     const auto meets = [&](const Point& ray, const Point& p, const Point& q) {
       const Point a = minus(p, origin), b = minus(q, origin);
       const double u = cross(ray, a), v = cross(ray, b);
-      if (u * v > 0) return false;
-      const double t = u == v ? 0 : u / (u - v);
-      return dot(ray, {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}) >= 0;
+      if (u * v > 0 && std::min(std::fabs(u), std::fabs(v)) > rounding_) return false;
+      const double one = dot(ray, a), other = dot(ray, b);
+      if (std::max(std::fabs(u), std::fabs(v)) <= rounding_) return std::max(one, other) >= 0;
+      return one + std::clamp(u / (u - v), 0.0, 1.0) * (other - one) >= 0;
     };
     const auto far = [&](const Point& end, const Point& direction) {
       const Point d = unit(direction);
@@ -239,7 +241,7 @@ class ChainBuilder {
     };
     for (int step = from; step < to; ++step) {
       if (step == vertex || step == vertex - 1) continue;
-      const ChainLink& edge = link(step);
+      const ChainLink& edge = whole_[(start_ + step) % count_];
       std::vector<Point> corners = {at(step), at(step + 1)};
       if (step == from) corners[0] = far(at(from), back(edge.direction));
       if (step == to - 1) corners[1] = far(at(to), edge.direction);
@@ -247,7 +249,10 @@ class ChainBuilder {
       const bool begins = at(step) == origin, ends = at(step + 1) == origin;
       if (begins || ends) {
         for (const Point& ray : rays)
-          if (enters(ray, edge, begins, corners)) return false;
+          if (enters(ray, edge, begins, corners) ||
+              (runs_along(ray, begins, corners) &&
+               !parts_from(ray, from, to, step, begins, link(vertex).turn)))
+            return false;
         continue;
       }
       if (edge.hull) corners.insert(corners.end(), edge.hull->begin(), edge.hull->end());
@@ -269,7 +274,35 @@ class ChainBuilder {
     const auto& hull = *edge.hull;
     const Point tangent = unit(begins ? minus(hull[1], hull[0]) : minus(hull[2], hull[3]));
     const double side = cross(chord, tangent) > 0 ? 1 : -1;
-    return side * past_chord > rounding_of_directions_ && side * cross(ray, tangent) >= 0;
+    return side * past_chord > rounding_of_directions_ &&
+           side * cross(ray, tangent) >= -rounding_of_directions_;
+  }
+
+  // Whether a ray runs along a chord, beyond whose other end the chain may go on to either side.
+  static bool runs_along(const Point& ray, bool begins, const std::vector<Point>& ends) {
+    const Point chord = unit(begins ? minus(ends[1], ends[0]) : minus(ends[0], ends[1]));
+    return dot(ray, chord) > 0 && std::fabs(cross(chord, ray)) <= rounding_of_directions_;
+  }
+
+  // Whether the chain turns off a ray that runs along one of its chords, from the vertex where that
+  // begins (or ends), so that the ray stays on the side of the chain on which it began. Nothing
+  // turns off where the chord is itself extended.
+  bool parts_from(const Point& ray, int from, int to, int along, bool begins, int turn) const {
+    const auto is_aside = [&](const Point& direction) {
+      return turn * cross(ray, unit(direction)) > rounding_of_directions_;
+    };
+    const int step = begins ? 1 : -1;
+    for (int i = along + step; i >= from && i < to; i += step) {
+      const ChainLink& edge = whole_[(start_ + i) % count_];
+      if (!is_aside(edge.direction)) return false;
+      if (edge.hull) {
+        const auto& hull = *edge.hull;
+        return turn * cross(ray, unit(begins ? minus(hull[1], hull[0]) : minus(hull[3], hull[2]))) >
+               -rounding_of_directions_;
+      }
+      if (at(i) != at(i + 1)) return true;
+    }
+    return true;
   }
 
   int leaf(int edge) {
@@ -293,7 +326,7 @@ class ChainBuilder {
   }
 
   static constexpr double rounding_of_directions_ = 1e-13;
-  std::vector<ChainLink> links_;
+  std::vector<ChainLink> links_, whole_;  // with hulls shrunk, and as given
   std::span<const BooleanExpression> edges_;
   int count_;
   int start_ = 0;

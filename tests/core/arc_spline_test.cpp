@@ -45,6 +45,39 @@ TEST(ArcSplines, GoThroughTheirPointsWithOneTangent) {
   }
 }
 
+// A stadium whose sides have nine points each, turned, with a number of digits.
+TEST(ArcSplines, ThroughRoundedPointsOfALineAreALine) {
+  for (int digits = 4; digits <= 12; ++digits) {
+    const double unit = std::pow(10, -digits), c = std::cos(0.3), s = std::sin(0.3);
+    const auto rounded = [&](double x, double y) {
+      return Point{std::round((c * x - s * y) / unit) * unit,
+                   std::round((s * x + c * y) / unit) * unit};
+    };
+    std::vector<Point> points;
+    for (int k = 0; k <= 8; ++k) points.push_back(rounded(0.25 * k, 0));
+    for (int k = 1; k < 8; ++k)
+      points.push_back(rounded(2 + 0.5 * std::sin(pi * k / 8), 0.5 - 0.5 * std::cos(pi * k / 8)));
+    for (int k = 8; k >= 0; --k) points.push_back(rounded(0.25 * k, 1));
+    const ArcSpline spline = arc_spline(points, false);
+    int straight = 0;
+    for (std::size_t i = 0; i < spline.edges.size(); ++i) {
+      const CircularEdge& edge = spline.edges[i];
+      const int span = spline.spans[i];
+      EXPECT_LE(std::hypot(edge.from[0] - points[span][0], edge.from[1] - points[span][1]),
+                i > 0 && spline.spans[i - 1] == span ? 1 : 1.5 * unit);
+      if (edge.bulge != 0) continue;
+      ++straight;
+      if (i == 0 || spline.edges[i - 1].bulge != 0) continue;
+      EXPECT_NEAR(turn(spline.edges[i - 1].start_direction(), edge.start_direction()), 0, 1e-14);
+    }
+    EXPECT_EQ(straight, 14) << digits;  // the spans at the ends of the semicircle are not
+  }
+  // Numbers with all digits are taken as they are.
+  std::vector<Point> bent;
+  for (int k = 0; k <= 8; ++k) bent.push_back({k / 7.0, 1e-6 * (k % 2) / 7});
+  for (const CircularEdge& edge : arc_spline(bent, false).edges) EXPECT_NE(edge.bulge, 0);
+}
+
 TEST(ArcSplines, ThroughPointsOfACircleAreTheCircle) {
   // Unevenly spaced, about (0.3, -0.2).
   std::vector<Point> points;

@@ -13,6 +13,7 @@
 #include "core/r_functions.hpp"
 #include "core/tape.hpp"
 #include "tests/core/random_contours.hpp"
+#include "tests/core/rounded_outlines.hpp"
 
 namespace rfm {
 namespace {
@@ -226,10 +227,6 @@ CurvedContour of_spline(const std::vector<Point>& points) {
   return contour;
 }
 
-Point rounded(const Point& p, double unit) {
-  return {std::round(p[0] / unit) * unit, std::round(p[1] / unit) * unit};
-}
-
 /// NACA 00xx, its trailing edge sharp: beside it the closed spline has inflections.
 std::vector<Point> airfoil(int count, double thickness, double unit) {
   std::vector<Point> points;
@@ -258,29 +255,6 @@ std::vector<Point> snake(RandomPolygons& random, double unit) {
   return points;
 }
 
-/// Points of a turned rectangle with round corners: up to rounding on lines and circles.
-std::vector<Point> round_rectangle(int count, double turn, double unit) {
-  std::vector<Point> points;
-  const double c = std::cos(turn), s = std::sin(turn);
-  const Point centers[] = {{1.8, 0.2}, {1.8, 0.8}, {0.2, 0.8}, {0.2, 0.2}};
-  for (int side = 0; side < 4; ++side) {
-    std::vector<Point> part;
-    const auto on_arc = [&](int corner, double degrees) {
-      const double angle = degrees * pi / 180;
-      return Point{centers[corner][0] + 0.2 * std::cos(angle),
-                   centers[corner][1] + 0.2 * std::sin(angle)};
-    };
-    for (int k = 0; k < 5; ++k) part.push_back(on_arc(side, -90 + 90 * side + 22.5 * k));
-    const Point from = part.back(), to = on_arc((side + 1) % 4, 90 * side);
-    for (int k = 1; k < count; ++k)
-      part.push_back(
-          {from[0] + (to[0] - from[0]) * k / count, from[1] + (to[1] - from[1]) * k / count});
-    for (const Point& p : part)
-      points.push_back(rounded({c * p[0] - s * p[1], s * p[0] + c * p[1]}, unit));
-  }
-  return points;
-}
-
 // Signs at points that are not nearer to the curve than a part of its size.
 void compare_beyond(double margin, const CurvedContour& contour, RandomPolygons& random,
                     int points) {
@@ -304,7 +278,7 @@ void compare_beyond(double margin, const CurvedContour& contour, RandomPolygons&
 // Curves nearer to their chords than 1e-9 of the size are straight.
 constexpr double flat = 2e-9;
 
-enum class Smooth { airfoil, snake, round_rectangle };
+enum class Smooth { airfoil, snake };
 
 // Curves that cross themselves or turn back are passed over.
 void expect_smooth_contours(Smooth kind, double margin, double most_refused, int seed, int count) {
@@ -315,10 +289,8 @@ void expect_smooth_contours(Smooth kind, double margin, double most_refused, int
     std::vector<Point> points;
     if (kind == Smooth::airfoil)
       points = airfoil(random.integer(8, 50), random.real(0.05, 0.2), unit);
-    else if (kind == Smooth::snake)
-      points = snake(random, unit);
     else
-      points = round_rectangle(random.integer(2, 9), random.real(0, 3), unit);
+      points = snake(random, unit);
     CurvedContour contour;
     try {
       contour = of_spline(points);
@@ -348,13 +320,38 @@ TEST(LongCurvedPolygons, OfSplinesWithInflectionsAtNarrowPlacesKeepTheirInside) 
   expect_smooth_contours(Smooth::snake, flat, 0.01, 34, 500);
 }
 
-// Through points of lines, rounded, splines wind about them by that much: extended chords of one
-// wind meet others, and are off by less than what the curve is wide. Some are refused.
-TEST(CurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
-  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 0.15, 35, 20);
+double least_step(const std::vector<Point>& points) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point &p = points[i], &q = points[(i + 1) % points.size()];
+    least = std::min(least, std::hypot(q[0] - p[0], q[1] - p[1]));
+  }
+  return least;
 }
-TEST(LongCurvedPolygons, OfSplinesThroughRoundedPointsOfLinesKeepTheirInside) {
-  expect_smooth_contours(Smooth::round_rectangle, 1e-6, 0.15, 36, 500);
+
+// Outlines of lines and arcs, points of which were written with some digits: between decimal ones
+// splines take lines for what they are; between others they wind about them, by down to 1e-12 of
+// the size. Every one is built.
+void expect_rounded_outlines(double unit_factor, int seed, int count) {
+  RandomPolygons random(seed);
+  for (int i = 0; i < count; ++i) {
+    const auto [points, unit] = rounded_outline(random, unit_factor);
+    if (least_step(points) < 4 * unit) continue;  // rounding may turn the points back
+    const CurvedContour contour = of_spline(points);
+    if (crosses_itself(contour, 50)) continue;
+    for (const Point& p : points) ASSERT_LE(distance_from(contour, p), 1.5 * unit);
+    ASSERT_NO_THROW(compare_beyond(flat, contour, random, 200));
+    if (testing::Test::HasFatalFailure()) FAIL() << "outline " << i << " rounded to " << unit;
+  }
+}
+
+TEST(CurvedPolygons, OfSplinesThroughRoundedPointsOfLinesAndArcsAreRight) {
+  expect_rounded_outlines(1, 35, 30);
+  expect_rounded_outlines(std::numbers::pi, 36, 30);
+}
+TEST(LongCurvedPolygons, OfSplinesThroughRoundedPointsOfLinesAndArcsAreRight) {
+  expect_rounded_outlines(1, 37, 1000);
+  expect_rounded_outlines(std::numbers::pi, 38, 1000);
 }
 
 TEST(CurvedPolygons, OfAirfoilsKeepTheirInside) {
