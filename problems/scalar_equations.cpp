@@ -1,10 +1,13 @@
 // Equations as a bundle of matrices, and eigenproblems.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
+#include "solvers/integrate.hpp"
 
 namespace rfm {
 namespace {
@@ -15,6 +18,20 @@ Contribution quadratic(const Form& form, const Problem& problem) {
     throw ProblemFileErrors({Mistake{"modes need an energy and a mass that are quadratic",
                                      problem.physics.custom->place}});
   return form.linear();
+}
+
+// ∫ m u² is the square of a norm.
+void require_mass(const Problem& problem, const Field& mass, const DomainRule& rule) {
+  const double lowest = maximum(select(step(mass), 0.0, mass), rule);
+  if (!(lowest > 0)) return;
+  Place place = problem.document.place;
+  for (const char* name : {"heat_capacity", "density"})
+    if (const auto found = problem.physics.coefficients.find(name);
+        found != problem.physics.coefficients.end())
+      place = found->second.place;
+  throw ProblemFileErrors(
+      {Mistake{fmt::format("modes need a mass that is not negative: it is down to {:.3g}", -lowest),
+               place}});
 }
 
 }  // namespace
@@ -41,6 +58,7 @@ Equations ScalarProblem::equations(const DomainRule& rule) const {
 }
 
 void ScalarProblem::solve_eigen(ScalarSolution& solution) const {
+  if (!problem_.physics.custom) require_mass(problem_, coefficients_.mass, solution.rule);
   const Equations equations = this->equations(solution.rule);
   const bool has_values = std::ranges::any_of(
       structures(solution.rule.grid()),

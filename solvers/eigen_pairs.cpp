@@ -15,9 +15,14 @@ namespace {
 
 constexpr int spare = 3;  // eigenvalues beyond those wanted, among which a gap is looked for
 constexpr int most_rounds = 8;
+constexpr double largest_residual = 1e-6;  // of a pair that counts as found
 
 Eigen::MatrixXd product(const SparseMatrix& lower, const Eigen::MatrixXd& vectors) {
   return lower.selfadjointView<Eigen::Lower>() * vectors;
+}
+
+[[noreturn]] void refuse_mass() {
+  throw ComputationError("the modes could not be told apart: the mass is not positive");
 }
 
 // How far below the first eigenvalue wanted σ lies: about the smallest eigenvalue, from the ratios
@@ -112,9 +117,13 @@ Eigen::MatrixXd lanczos(const Pencil& pencil, const SymmetricFactorization& fact
   const int basis = std::min(room, std::max(2 * count + 1, 24));
   Spectra::SymGEigsShiftSolver<DeflatedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert>
       solver(inverse, mass, count, basis, sigma);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestAlge, 300, pencil.options.tolerance,
-                 Spectra::SortRule::LargestAlge);
+  try {
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestAlge, 300, pencil.options.tolerance,
+                   Spectra::SortRule::LargestAlge);
+  } catch (const std::exception&) {  // the square root of a negative mass
+    refuse_mass();
+  }
   return solver.eigenvectors();
 }
 
@@ -132,8 +141,7 @@ Ritz refined(const Pencil& pencil, const SymmetricFactorization& factors,
   const Eigen::MatrixXd m = vectors.transpose() * product(pencil.mass, vectors);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(0.5 * (k + k.transpose()),
                                                                         0.5 * (m + m.transpose()));
-  if (small.info() != Eigen::Success)
-    throw ComputationError("the modes could not be told apart: the mass is not positive");
+  if (small.info() != Eigen::Success || !small.eigenvalues().allFinite()) refuse_mass();
   return {small.eigenvalues(), vectors * small.eigenvectors()};
 }
 
@@ -160,19 +168,30 @@ void require_consistent(const SparseMatrix& stiffness, const SparseMatrix& mass,
 
 }  // namespace
 
-EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& mass,
+EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& given_mass,
                        const EigenOptions& options) {
-  require_consistent(stiffness, mass, options);
-  const double below = margin(stiffness, mass, options), sigma = options.shift - below;
+  require_consistent(stiffness, given_mass, options);
+  // In units of the margin the eigenvalues wanted are of order one, whatever the units of the
+  // matrices: Spectra takes all vectors for converged where 1/(λ − σ) is below ε^(2/3).
+  const double unit = margin(stiffness, given_mass, options);
+  const SparseMatrix mass = unit * given_mass;
+  const double shift = options.shift / unit, sigma = shift - 1;
   const Pencil pencil(stiffness, mass, sigma, options);
   if (options.count > pencil.size)
     throw ComputationError(
         fmt::format("{} unknowns have no {} modes: use more cells", pencil.size, options.count));
   const SymmetricFactorization factors = pencil.factorized(sigma);
-  const double least = options.shift - 1e-6 * below;  // an eigenvalue at the shift counts
+  const auto below_sigma = static_cast<Eigen::Index>(factors.negative_eigenvalues());
+  if (options.count > pencil.size - below_sigma)
+    throw ComputationError(
+        fmt::format("{} of the {} eigenvalues lie below the shift {:.6g}, so that there are no {} "
+                    "from there on: is the stiffness negative?",
+                    below_sigma, pencil.size, options.shift, options.count));
+  const double least = shift - 1e-6;  // an eigenvalue at the shift counts
 
   Ritz ritz{{}, Eigen::MatrixXd(stiffness.rows(), 0)};
   EigenPairs result;
+  double upper = 0;
   Eigen::Index first = 0;
   for (int round = 0, more = options.count + spare; round < most_rounds && more > 0; ++round) {
     const Eigen::MatrixXd found = lanczos(pencil, factors, ritz.vectors, more, sigma);
@@ -183,12 +202,13 @@ EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& mass,
     const auto from_shift = static_cast<int>(ritz.values.size() - first);
     more = options.count + spare - from_shift;
     if (from_shift < options.count) continue;
-    result.upper = place_in_gap(ritz.values, first, options.count, sigma);
-    result.found = static_cast<int>((ritz.values.array() < result.upper).count() - first);
-    result.present = pencil.factorized(result.upper).negative_eigenvalues() -
+    upper = place_in_gap(ritz.values, first, options.count, sigma);
+    result.found = static_cast<int>((ritz.values.array() < upper).count() - first);
+    result.present = pencil.factorized(upper).negative_eigenvalues() -
                      factors.negative_eigenvalues() - static_cast<int>(first);
     more = result.present - result.found;
   }
+  result.upper = unit * upper;
   if (result.found < options.count || result.found != result.present)
     throw ComputationError(
         fmt::format("{} of {} eigenvalues were found, though there are {} below {:.6g}",
@@ -198,8 +218,14 @@ EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& mass,
     const double value = ritz.values[i];
     const Eigen::VectorXd vector = ritz.vectors.col(i);
     const Eigen::VectorXd k = product(pencil.stiffness, vector), m = product(pencil.mass, vector);
-    result.pairs.push_back({value, (k - value * m).norm() / (k - sigma * m).norm(),
-                            pencil.factors.cwiseProduct(vector)});
+    const double residual = (k - value * m).norm() / (k - sigma * m).norm();
+    if (!(residual <= largest_residual))
+      throw ComputationError(fmt::format(
+          "eigenvalue {} was not found: that of {:.6g} has a residual of {:.1e}, and {:.0e} is "
+          "allowed",
+          i - first, unit * value, residual, largest_residual));
+    result.pairs.push_back(
+        {unit * value, residual, std::sqrt(unit) * pencil.factors.cwiseProduct(vector)});
   }
   return result;
 }

@@ -42,7 +42,8 @@ struct EigenPairs {
 /// The `count` smallest eigenvalues λ ≥ shift of K x = λ M x, for symmetric matrices given by their
 /// lower triangles, M positive definite.
 ///
-/// Both are scaled by diag(K + |σ| M)^−½ on both sides. Lanczos' method (Spectra) finds the largest
+/// Both are scaled by diag(K + |σ| M)^−½ on both sides, and M by an estimate of the smallest
+/// eigenvalue, so that units do not matter. Lanczos' method (Spectra) finds the largest
 /// eigenvalues 1/(λ − σ) of (K − σ M)⁻¹ M for a σ a little below the shift, so that kernels (rigid
 /// motions, constants) do no harm, and K may be indefinite, as Nitsche's method makes it on small
 /// cuts. A method that starts from one vector sees a multiple eigenvalue once but for rounding:
@@ -51,8 +52,8 @@ struct EigenPairs {
 /// of inverse iteration with all of them, and W. Ritz's method in their span, end the search.
 ///
 /// Throws `InvalidArgument` if the matrices do not fit or `count` < 1, and `ComputationError` if
-/// there are fewer eigenvalues than wanted, some are missing, or the matrices are singular
-/// together.
+/// there are fewer eigenvalues than wanted from the shift on, some are missing, a residual is above
+/// 1e-6, M is seen not to be positive, or the matrices are singular together.
 EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& mass,
                        const EigenOptions& options = {});
 

@@ -120,6 +120,34 @@ TEST(EigenPairs, DoNotDependOnTheScaleOfTheUnknowns) {
   expect_known(eigen_pairs(k, m, {.count = 10}), known_eigenvalues(20, 2), 0);
 }
 
+TEST(EigenPairs, DoNotDependOnTheUnitsOfTheMatrices) {
+  const SparseMatrix k = differences(20, 2), m = identity(400);
+  const std::vector<double> known = known_eigenvalues(20, 2);
+  for (const double unit : {1e-18, 1e-12, 1e12, 1e20}) {
+    const EigenPairs result = eigen_pairs(k, SparseMatrix(m / unit), {.count = 10});
+    EXPECT_EQ(result.found, result.present);
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_NEAR(result.pairs[i].value / unit, known[i], 1e-12 * known[i]) << unit;
+      EXPECT_LT(result.pairs[i].residual, 1e-9) << unit;
+      EXPECT_NEAR(result.pairs[i].vector.squaredNorm() / unit, 1, 1e-12);
+    }
+    const EigenPairs above =
+        eigen_pairs(k, SparseMatrix(m / unit), {.count = 4, .shift = 0.3 * unit});
+    const auto first = std::ranges::lower_bound(known, 0.3) - known.begin();
+    for (int i = 0; i < 4; ++i)
+      EXPECT_NEAR(above.pairs[i].value / unit, known[first + i], 1e-11) << unit;
+  }
+}
+
+TEST(EigenPairs, OfNegativeStiffnessOrMassAreRefused) {
+  const SparseMatrix k = differences(20, 2), m = identity(400);
+  EXPECT_THROW(eigen_pairs(SparseMatrix(-k), m, {.count = 6}), ComputationError);
+  EXPECT_THROW(eigen_pairs(k, SparseMatrix(-m), {.count = 6}), ComputationError);
+  SparseMatrix mixed = m;
+  for (int i = 0; i < 400; ++i) mixed.coeffRef(i, i) = i % 20 - 9.5;
+  EXPECT_THROW(eigen_pairs(k, mixed, {.count = 6}), ComputationError);
+}
+
 TEST(EigenPairs, AreNotDisturbedByVeryNegativeOnesNorByFunctionsWithoutSupport) {
   const SparseMatrix inner = differences(20, 2);
   Entries k, m;
