@@ -157,6 +157,11 @@ void BoundaryReader::read_conditions() {
   problem_.conditions_place = conditions->place;
   for (const DocumentNode::Entry& entry : root_.entries)
     if (&entry.value == conditions) problem_.conditions_place = entry.key_place;
+  if (const DocumentNode* windows = values_.find(root_, "windows"))
+    for (const DocumentNode& window : windows->items)
+      if (const DocumentNode* in = values_.find(window, "in");
+          in && shapes_.shapes().contains(in->text))
+        shapes_.mark_used(in->text);
   // Its names count as used, and its mistakes are reported with those of other keys.
   if (const DocumentNode* remainder = values_.find(root_, "remainder")) values_.field(*remainder);
   std::vector<std::string> sets;

@@ -12,6 +12,7 @@ ProblemInterfaces::ProblemInterfaces(const Problem& problem) {
     if (material.region) add_boundary_of(*material.region);
   const StructureOptions inner = structure_options(problem);
   for (const InterfaceCondition& interface : inner.interfaces) add_boundary_of(interface.region);
+  for (const WindowOption& window : inner.windows) add_boundary_of(window.region);
   for (const SetValue& value : inner.values)
     if (value.where.surface) levels_.emplace_back(*value.where.surface, problem.dimension);
   if (problem.physics.type == PhysicsType::interpolation)

@@ -36,7 +36,7 @@ void require_mass(const Problem& problem, const Field& mass, const DomainRule& r
 
 }  // namespace
 
-Equations ScalarProblem::equations(const DomainRule& rule) const {
+Equations ScalarProblem::equations(const DomainRule& rule, const Grid& grid) const {
   const bool eigen = problem_.study.type == Study::Type::eigen;
   EquationTerms terms;
   if (problem_.physics.custom) {
@@ -52,14 +52,18 @@ Equations ScalarProblem::equations(const DomainRule& rule) const {
   std::vector<Structure> structures;
   for (const Structure& structure : this->structures(rule.grid()))
     structures.push_back(eigen ? homogeneous_part(structure) : structure);
-  if (!has_global_functions())
-    return Equations(std::move(structures), spaces(rule), std::move(terms), rule);
+  if (!has_global_functions()) {
+    std::vector<TensorProductSpace> functions = spaces(rule);
+    std::optional<SplineExtraction> extraction = this->extraction(functions, rule, grid);
+    return Equations(std::move(structures), std::move(functions), std::move(terms), rule,
+                     std::move(extraction));
+  }
   return Equations(std::move(structures), global_spaces(rule.grid()), std::move(terms), rule);
 }
 
 void ScalarProblem::solve_eigen(ScalarSolution& solution) const {
   if (!problem_.physics.custom) require_mass(problem_, coefficients_.mass, solution.rule);
-  const Equations equations = this->equations(solution.rule);
+  const Equations equations = this->equations(solution.rule, solution.grid);
   const bool has_values = std::ranges::any_of(
       structures(solution.rule.grid()),
       [](const Structure& structure) { return !structure.inhomogeneous().is_constant(0); });

@@ -104,7 +104,7 @@ GlobalSpaces ScalarProblem::global_spaces(const Grid& grid) const {
 
 // Built-in equations with an energy, of one unknown.
 void ScalarProblem::solve_global_energy(ScalarSolution& solution) const {
-  const Equations equations = this->equations(solution.rule);
+  const Equations equations = this->equations(solution.rule, solution.grid);
   solution.unknowns = equations.size();
   const bool free_constant = fixed_up_to_constant();
   if (free_constant) check_compatible(solution.rule);

@@ -8,10 +8,12 @@
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/assembly.hpp"
+#include "solvers/block_solve.hpp"
 #include "solvers/extension.hpp"
 #include "solvers/free_functions.hpp"
 #include "solvers/kernel.hpp"
 #include "solvers/periodic_splines.hpp"
+#include "solvers/refined_splines.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
@@ -75,7 +77,9 @@ LinearSolution ScalarProblem::solve_determined(const LinearSystem& system,
 }
 
 std::optional<SplineExtraction> ScalarProblem::extraction(
-    const std::vector<TensorProductSpace>& functions, const DomainRule& rule) const {
+    const std::vector<TensorProductSpace>& functions, const DomainRule& rule,
+    const Grid& grid) const {
+  if (!windows_.empty()) return refined_splines(own_spaces(rule, grid), functions);
   if (problem_.discretization.extension) return SplineExtension(functions, rule);
   if (!periodic_.empty()) return periodic_splines(functions, periodic_axes(periodic_));
   return std::nullopt;
@@ -89,11 +93,12 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
   LinearSystem system = assemble(structures, functions, parts, solution.rule);
   solution.seconds.assembly = assembly.seconds();
   Stopwatch solve;
-  const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
+  const std::optional<SplineExtraction> extraction =
+      this->extraction(functions, solution.rule, solution.grid);
   std::optional<LinearSystem> folded;
   if (extraction) folded = extraction->folded(system);
   LinearSystem& solved = folded ? *folded : system;
-  if (free_constant) pin_one(solved);
+  if (free_constant) pin_one(solved, extraction ? extraction->first[1] : functions[0].size());
   if (!free_constant && uses_forms(*this) && !problem_.discretization.extension) {
     const FreeFunctions candidates(structures, functions);
     solution.linear = solve_beside_kernel(
@@ -101,20 +106,20 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
         extraction ? extraction->reduced(candidates.coefficients()) : candidates.coefficients(),
         problem_.physics.unknowns, linear_options(), [&] {
           const LinearSystem finer =
-              assemble(structures, functions, parts, finer_rule(solution.rule.grid()));
+              assemble(structures, functions, parts, finer_rule(solution.grid));
           return extraction ? extraction->folded(finer) : finer;
         });
+  } else if (extraction && solves_in_turn()) {
+    solution.linear = solve_in_turn(solved, blocks(*extraction), linear_options());
   } else if (extraction) {
     solution.linear = rfm::solve(solved, linear_options());
   } else {
     solution.linear = solve_determined(solved, functions, solution);
   }
-  if (extraction) {
-    solution.linear.coefficients = extraction->matrix * solution.linear.coefficients;
-    solution.unknowns = static_cast<int>(extraction->matrix.cols());
-  } else if (function_count() > unknown_count()) {
-    solution.undetermined = undetermined_part(solved, functions, solution, linear_options());
-  }
+  if (function_count() > unknown_count() && !solves_in_turn())
+    solution.undetermined = undetermined_part(solved, functions, solution, linear_options(),
+                                              extraction ? &*extraction : nullptr);
+  if (extraction) solution.linear.coefficients = extraction->matrix * solution.linear.coefficients;
   solution.seconds.solve = solve.seconds();
   return system;
 }

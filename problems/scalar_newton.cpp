@@ -18,11 +18,11 @@ namespace {
 // The coefficients at a stop of a continuation, from those at the one before.
 Eigen::VectorXd solved_stop(const ContinuationStop& stop,
                             const std::vector<TensorProductSpace>& functions,
-                            const DomainRule& rule, const LinearSolverOptions& linear,
-                            const NewtonOptions& options,
+                            const DomainRule& rule, const Grid& grid,
+                            const LinearSolverOptions& linear, const NewtonOptions& options,
                             const std::optional<Eigen::VectorXd>& start) {
   const ScalarProblem problem(stop.problem);
-  if (std::abs(problem.rule(rule.grid()).measure() - rule.measure()) > 1e-9 * rule.measure())
+  if (std::abs(problem.rule(grid).measure() - rule.measure()) > 1e-9 * rule.measure())
     throw ComputationError(stop.name + ": continuation needs the same domain at all values");
   try {
     return solve_newton(problem.structures(rule.grid()), functions,
@@ -121,12 +121,14 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
   options.load_steps = problem_.discretization.load_steps;
   const Grid& grid = solution.rule.grid();
   const std::vector<Structure> structures = this->structures(grid);
-  options.finer_rule = [&] { return finer_rule(grid); };
-  const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
+  options.finer_rule = [&] { return finer_rule(solution.grid); };
+  const std::optional<SplineExtraction> extraction =
+      this->extraction(functions, solution.rule, solution.grid);
   if (extraction) options.extraction = &*extraction;
   std::optional<Eigen::VectorXd> start;
   for (const ContinuationStop& stop : continuation_stops(problem_)) {
-    start = solved_stop(stop, functions, solution.rule, linear_options(), options, start);
+    start = solved_stop(stop, functions, solution.rule, solution.grid, linear_options(), options,
+                        start);
   }
   NewtonSolution newton = solve_newton(structures, functions, equations, solution.rule,
                                        linear_options(), options, start);

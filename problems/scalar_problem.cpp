@@ -131,6 +131,7 @@ ScalarProblem::ScalarProblem(const Problem& problem)
   irregularities_ = rfm::irregularities(region_, bounds_);
   plan_values(probe);
   plan_periodic(probe);
+  check_windows();
 }
 
 bool ScalarProblem::has_irregular_weight() const {
@@ -191,12 +192,11 @@ void ScalarProblem::plan_periodic(const DomainRule& probe) {
   if (periodic_.empty()) return;
   const Place& place = periodic_[0].place;
   const Discretization& discretization = problem_.discretization;
-  if (problem_.study.type == Study::Type::eigen || has_global_functions() ||
-      discretization.extension || !grid().is_uniform() || must_use_qr() ||
+  if (has_global_functions() || discretization.extension || !grid().is_uniform() || must_use_qr() ||
       discretization.method == Discretization::Method::collocation)
     refuse(
-        "splines are periodic on equal cells, in steady problems by the methods of Ritz and "
-        "Galerkin and by least squares with normal equations",
+        "splines are periodic on equal cells, by the methods of Ritz and Galerkin and by least "
+        "squares with normal equations",
         place);
   check_periodic(structures(probe.grid()), periodic_, probe);
 }
@@ -225,7 +225,7 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
   options.gradings = problem_.discretization.gradings;
   options.inside_points += more_points;
   options.cut_points += more_points;
-  return make_domain_rule(region, grid, options, interfaces_.all());
+  return make_domain_rule(region, common_grid(grid, windows_), options, interfaces_.all());
 }
 
 DomainRule ScalarProblem::collocation_rule(const Grid& grid) const {

@@ -18,6 +18,7 @@
 #include "problems/result_scope.hpp"
 #include "problems/scalar_physics.hpp"
 #include "problems/structure_options.hpp"
+#include "problems/windows.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
 #include "solvers/equations.hpp"
@@ -41,6 +42,7 @@ struct SolveSeconds {
 /// A solved problem on one grid. Its results are fields like any other.
 struct ScalarSolution {
   DomainRule rule;
+  Grid grid;  ///< that of the problem; the rule's has the lines of windows, too
   ScalarResults results;
   int unknowns = 0;  ///< coefficients
   LinearSolution linear;
@@ -100,23 +102,25 @@ class ScalarProblem {
   /// Of undetermined functions in all structures, the unknowns' number at least.
   int function_count() const;
   int unknown_count() const { return static_cast<int>(problem_.physics.unknowns.size()); }
+  const std::vector<Window>& windows() const { return windows_; }
   Grid grid(std::optional<int> cells = {}) const { return problem_grid(problem_, bounds_, cells); }
   /// Quadrature for solving: p + 1 points per axis inside, p + 3 in cut cells and on boundaries;
-  /// `more_points` beyond that for measuring errors.
+  /// `more_points` beyond that for measuring errors. Its grid has the lines of all windows.
   DomainRule rule(const Grid& grid, int more_points = 0) const {
     return rule(region_, grid, more_points);
   }
   /// The same over another region: a part of the domain.
   DomainRule rule(const RegionEvaluator& region, const Grid& grid, int more_points = 0) const;
   /// The splines of every unknown on the grid of a rule, and of further functions of the
-  /// structures: those where their factors do not vanish.
+  /// structures: those where their factors do not vanish. With windows all are refined
+  /// (solvers/refined_splines.hpp).
   std::vector<TensorProductSpace> spaces(const DomainRule& rule) const;
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
   ScalarSolution solve(const Grid& grid) const;
   /// The equations of an eigenproblem, which are homogeneous, or of a linear problem with an
-  /// energy, on the grid of `rule`, which must outlive them.
-  Equations equations(const DomainRule& rule) const;
+  /// energy, on the grid of `rule`, which must outlive them; `grid` is that of the problem.
+  Equations equations(const DomainRule& rule, const Grid& grid) const;
 
  private:
   void plan_values(const DomainRule& probe);
@@ -135,7 +139,15 @@ class ScalarProblem {
   std::vector<Contribution> contributions(const Grid& grid) const;
   /// Combinations of splines in which solutions are looked for; nothing: in all.
   std::optional<SplineExtraction> extraction(const std::vector<TensorProductSpace>& functions,
-                                             const DomainRule& rule) const;
+                                             const DomainRule& rule, const Grid& grid) const;
+  std::vector<TensorProductSpace> own_spaces(const DomainRule& rule, const Grid& grid) const;
+  int function_degree(int function) const;
+  /// By function, where its splines are wanted.
+  std::vector<std::vector<std::uint8_t>> function_cells(const DomainRule& rule) const;
+  void add_windows(int& functions);
+  void check_windows() const;
+  bool solves_in_turn() const;
+  std::vector<Eigen::Index> blocks(const SplineExtraction& extraction) const;
   LinearSystem solve_linear(const std::vector<Contribution>& parts,
                             const std::vector<TensorProductSpace>& functions, bool free_constant,
                             ScalarSolution& solution) const;
@@ -177,8 +189,8 @@ class ScalarProblem {
                        const ScalarSolution& solution) const;
   double undetermined_part(const LinearSystem& system,
                            const std::vector<TensorProductSpace>& functions,
-                           const ScalarSolution& solution,
-                           const LinearSolverOptions& options) const;
+                           const ScalarSolution& solution, const LinearSolverOptions& options,
+                           const SplineExtraction* extraction = nullptr) const;
   LinearSolution solve_determined(const LinearSystem& system,
                                   const std::vector<TensorProductSpace>& functions,
                                   ScalarSolution& solution) const;
@@ -199,6 +211,7 @@ class ScalarProblem {
   std::vector<Structure> structures_;  // without corrections for natural conditions
   std::vector<NaturalPiece> natural_;
   std::vector<PeriodicPair> periodic_;
+  std::vector<Window> windows_;
   StructureOptions inner_;
   bool own_use_cells_ = false;  // structures of the user's own depend on the grid
 };

@@ -116,7 +116,8 @@ bool ScalarProblem::is_solved(const std::vector<Form>& equations,
 
 ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   Stopwatch quadrature;
-  ScalarSolution solution{.rule = rule(grid), .results = {}, .linear = {}, .seconds = {}};
+  ScalarSolution solution{
+      .rule = rule(grid), .grid = grid, .results = {}, .linear = {}, .seconds = {}};
   solution.seconds.quadrature = quadrature.seconds();
   if (misses_divergence_theorem(solution.rule))
     throw ComputationError(fmt::format(
@@ -141,20 +142,23 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
     return solution;
   }
   const std::vector<TensorProductSpace> functions = spaces(solution.rule);
-  solution.unknowns = coefficient_count(functions);
+  const std::optional<SplineExtraction> extraction =
+      this->extraction(functions, solution.rule, grid);
+  solution.unknowns =
+      extraction ? static_cast<int>(extraction->matrix.cols()) : coefficient_count(functions);
   const bool free_constant = fixed_up_to_constant();
   if (free_constant) check_compatible(solution.rule);
   std::vector<Form> equations;
   std::vector<Contribution> parts;
   LinearSystem system;
   if (uses_forms(*this)) {
-    equations = problem_forms(*this, grid);
+    equations = problem_forms(*this, solution.rule.grid());
     solution.linearity = linearity(equations, solution.rule);
     if (solution.linearity != Linearity::none)
       for (const Form& form : equations)
         parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
   } else {
-    parts = contributions(grid);
+    parts = contributions(solution.rule.grid());
   }
   const auto solve_system = [&] {
     if (!parts.empty()) {
@@ -189,7 +193,6 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
       return parts.empty() ? tangent_at(equations, fields, structures, functions, rule)
                            : assemble(structures, functions, parts, rule);
     };
-    const std::optional<SplineExtraction> extraction = this->extraction(functions, solution.rule);
     const auto reduced = [&](LinearSystem of_all) {
       return extraction ? extraction->folded(of_all) : of_all;
     };

@@ -104,6 +104,7 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
     if (remainder)
       check_remainder(*remainder, problem_, plans_, structures_, coefficients_, probe, region_);
     add_singular_functions(probe, functions);
+    add_windows(functions);
   }
   require_natural(probe);
   for (const SetValue& value : inner_.values) {
@@ -290,24 +291,6 @@ int ScalarProblem::function_count() const {
   for (const Structure& structure : structures_) count = std::max(count, structure.unknown_count());
   const bool is_corrected = !natural_.empty() && plans_[0].own_structure.empty();
   return is_corrected ? count + 1 : count;
-}
-
-std::vector<TensorProductSpace> ScalarProblem::spaces(const DomainRule& rule) const {
-  const Discretization& discretization = problem_.discretization;
-  std::vector<TensorProductSpace> spaces;
-  // Cells are left out by the degree of all, so that unknowns live on the same ones.
-  const std::vector<std::uint8_t> cells = cells_in_region(rule, discretization.degree);
-  for (const std::string& unknown : problem_.physics.unknowns) {
-    const auto own = discretization.degrees.find(unknown);
-    const int degree = own == discretization.degrees.end() ? discretization.degree : own->second;
-    spaces.emplace_back(rule.grid(), degree, cells);
-  }
-  if (function_count() == unknown_count()) return spaces;
-  const std::vector<Structure> list = structures(rule.grid());
-  for (int function = unknown_count(); function < function_count(); ++function)
-    spaces.emplace_back(rule.grid(), discretization.degree,
-                        cells_of_function(function, list, rule, cells));
-  return spaces;
 }
 
 }  // namespace rfm

@@ -89,7 +89,8 @@ void ScalarProblem::check_compatible(const DomainRule& rule) const {
 double ScalarProblem::undetermined_part(const LinearSystem& system,
                                         const std::vector<TensorProductSpace>& functions,
                                         const ScalarSolution& solution,
-                                        const LinearSolverOptions& options) const {
+                                        const LinearSolverOptions& options,
+                                        const SplineExtraction* extraction) const {
   const Eigen::VectorXd scale = system.matrix.diagonal().cwiseAbs().cwiseSqrt();
   const Eigen::VectorXd scaled = scale.cwiseProduct(solution.linear.coefficients);
   std::mt19937 engine(1);
@@ -102,8 +103,12 @@ double ScalarProblem::undetermined_part(const LinearSystem& system,
   const std::vector<Structure> structures = this->structures(solution.rule.grid());
   std::vector<Structure> homogeneous;
   for (const Structure& structure : structures) homogeneous.push_back(homogeneous_part(structure));
-  const std::vector<Field> open = solution_fields(homogeneous, functions, answer.coefficients),
-                           u = solution_fields(structures, functions, solution.linear.coefficients);
+  const auto all = [&](const Eigen::VectorXd& coefficients) {
+    return extraction ? Eigen::VectorXd(extraction->matrix * coefficients) : coefficients;
+  };
+  const std::vector<Field> open = solution_fields(homogeneous, functions, all(answer.coefficients)),
+                           u = solution_fields(structures, functions,
+                                               all(solution.linear.coefficients));
   double part = 0, whole = 0;
   for (std::size_t c = 0; c < u.size(); ++c) {
     part = std::hypot(part, norms(open[c], solution.rule).l2);

@@ -17,6 +17,8 @@ class OptionsReader {
       for (const DocumentNode& item : conditions->items) read_condition(item);
     if (const DocumentNode* enrich = problem.document.find("enrich"))
       for (const DocumentNode& item : enrich->items) read_enrichment(item);
+    if (const DocumentNode* windows = problem.document.find("windows"))
+      for (const DocumentNode& item : windows->items) read_window(item);
     if (!mistakes_.empty()) throw ProblemFileErrors(mistakes_);
   }
 
@@ -120,6 +122,27 @@ class OptionsReader {
           add("an exponent of the distance must be positive", exponent.place);
       }
     options_.enrichments.push_back(std::move(result));
+  }
+
+  void read_window(const DocumentNode& item) {
+    const DocumentNode *in = item.find("in"), *basis = item.find("basis");
+    if (!in || !basis || !basis->find("cells")) return;
+    const auto shape = problem_.shapes.find(in->text);
+    if (shape == problem_.shapes.end())
+      return add("'" + in->text + "' is no shape: a window is the inside of one", in->place);
+    for (const auto& own : shape->second.primitives())
+      for (const auto& other : problem_.domain->primitives())
+        if (own->name == other->name)
+          return add("the domain is made of '" + own->name +
+                         "': a window is a shape of its own, though it may be an equal one",
+                     in->place);
+    WindowOption window{in->text, shape->second, {}, 0, 0, true, in->place};
+    if (const DocumentNode* degree = basis->find("bspline"))
+      window.degree = static_cast<int>(number(*degree));
+    window.cells = static_cast<int>(number(*basis->find("cells")));
+    window.smoothness = static_cast<int>(number(*item.find("smoothness")));
+    window.global = item.find("solve")->text == "global";
+    options_.windows.push_back(std::move(window));
   }
 
   const Problem& problem_;

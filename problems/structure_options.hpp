@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,27 @@ struct Enrichment {
   Place place;
 };
 
+/// `windows`: more freedom for u within a shape, by splines on a grid of their own.
+struct WindowOption {
+  std::string shape;
+  Region region;
+  std::optional<int> degree;  ///< nothing: that of the domain
+  int cells = 0;              ///< along the longest side of the shape's part of the domain
+  int smoothness = 0;         ///< m: so many derivatives are continuous across the edge
+  bool global = true;         ///< solved together with all else
+  Place place;
+};
+
 /// What a file says of its structure beside the conditions on the boundary.
 struct StructureOptions {
   std::vector<SetValue> values;
   std::vector<InterfaceCondition> interfaces;
   std::vector<Enrichment> enrichments;
+  std::vector<WindowOption> windows;
 
-  bool is_empty() const { return values.empty() && interfaces.empty() && enrichments.empty(); }
+  bool is_empty() const {
+    return values.empty() && interfaces.empty() && enrichments.empty() && windows.empty();
+  }
 };
 
 /// Whether an entry of `conditions` is about the inside of the domain and not its boundary: an

@@ -7,11 +7,13 @@
 namespace rfm {
 
 Equations::Equations(std::vector<Structure> structures, std::vector<TensorProductSpace> spaces,
-                     EquationTerms terms, const DomainRule& rule)
+                     EquationTerms terms, const DomainRule& rule,
+                     std::optional<SplineExtraction> extraction)
     : structures_(std::move(structures)),
       spaces_(std::move(spaces)),
       terms_(std::move(terms)),
-      rule_(rule) {}
+      rule_(rule),
+      extraction_(std::move(extraction)) {}
 
 Equations::Equations(std::vector<Structure> structures, GlobalSpaces spaces, EquationTerms terms,
                      const DomainRule& rule)
@@ -21,6 +23,7 @@ Equations::Equations(std::vector<Structure> structures, GlobalSpaces spaces, Equ
       rule_(rule) {}
 
 int Equations::size() const {
+  if (extraction_) return static_cast<int>(extraction_->matrix.cols());
   int size = 0;
   for (const auto& space : global_spaces_) size += space->size();
   for (const TensorProductSpace& space : spaces_) size += space.size();
@@ -30,7 +33,8 @@ int Equations::size() const {
 LinearSystem Equations::assembled(std::span<const Contribution> terms, double time) const {
   if (!global_spaces_.empty())
     return assemble_dense(structures_, global_spaces_, terms, rule_, {time, {}});
-  return assemble(structures_, spaces_, terms, rule_, {time, {}});
+  LinearSystem system = assemble(structures_, spaces_, terms, rule_, {time, {}});
+  return extraction_ ? extraction_->folded(system) : system;
 }
 
 const LinearSystem& Equations::steady() const {
@@ -58,7 +62,10 @@ Eigen::VectorXd Equations::residual(const Eigen::VectorXd& coefficients, double 
 }
 
 std::vector<Field> Equations::fields(const Eigen::VectorXd& coefficients) const {
-  if (global_spaces_.empty()) return solution_fields(structures_, spaces_, coefficients);
+  if (global_spaces_.empty())
+    return solution_fields(
+        structures_, spaces_,
+        extraction_ ? Eigen::VectorXd(extraction_->matrix * coefficients) : coefficients);
   std::vector<Field> functions;
   const double* own = coefficients.data();
   for (const auto& space : global_spaces_) {

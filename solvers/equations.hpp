@@ -9,6 +9,7 @@
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
 #include "solvers/dense_assembly.hpp"
+#include "solvers/extraction.hpp"
 #include "solvers/field_arguments.hpp"
 #include "solvers/integrand.hpp"
 #include "solvers/linear_system.hpp"
@@ -36,8 +37,10 @@ struct EquationTerms {
 class Equations {
  public:
   /// `structures[c]` is component c of the solution, `spaces[k]` holds undetermined function k.
+  /// With an extraction c are the coefficients of its combinations, everywhere.
   Equations(std::vector<Structure> structures, std::vector<TensorProductSpace> spaces,
-            EquationTerms terms, const DomainRule& rule);
+            EquationTerms terms, const DomainRule& rule,
+            std::optional<SplineExtraction> extraction = {});
   /// The same with functions that live on the whole domain.
   Equations(std::vector<Structure> structures, GlobalSpaces spaces, EquationTerms terms,
             const DomainRule& rule);
@@ -71,6 +74,7 @@ class Equations {
   GlobalSpaces global_spaces_;
   EquationTerms terms_;
   const DomainRule& rule_;
+  std::optional<SplineExtraction> extraction_;
   mutable std::optional<LinearSystem> steady_;
   mutable std::optional<SparseMatrix> damping_, mass_;
 };

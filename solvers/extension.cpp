@@ -18,6 +18,7 @@ SplineExtension::SplineExtension(std::span<const TensorProductSpace> spaces,
     for (const int function : web.inner()) inner.push_back(rows + function);
     rows += space.size();
     columns += web.size();
+    first.push_back(columns);
   }
   matrix.resize(rows, columns);
   matrix.setFromTriplets(entries.begin(), entries.end());

@@ -1,5 +1,9 @@
 #include "solvers/extraction.hpp"
 
+#include <Eigen/SparseCholesky>
+
+#include "core/error.hpp"
+
 namespace rfm {
 
 LinearSystem SplineExtraction::folded(const LinearSystem& system) const {
@@ -17,6 +21,14 @@ LinearSystem SplineExtraction::folded(const LinearSystem& system) const {
 }
 
 Eigen::MatrixXd SplineExtraction::reduced(const Eigen::MatrixXd& coefficients) const {
+  if (inner.empty()) {
+    const SparseMatrix transposed = matrix.transpose();
+    const Eigen::SimplicialLDLT<SparseMatrix> squares(SparseMatrix(transposed * matrix));
+    if (squares.info() != Eigen::Success)
+      throw ComputationError("combinations of splines depend on each other");
+    const Eigen::MatrixXd first = squares.solve(transposed * coefficients);
+    return first + squares.solve(transposed * (coefficients - matrix * first));
+  }
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(inner.size()), coefficients.cols());
   for (std::size_t i = 0; i < inner.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) = coefficients.row(inner[i]);

@@ -8,10 +8,19 @@
 namespace rfm {
 namespace {
 
-bool is_free(const Structure& structure, int unknown) {
-  if (!structure.inhomogeneous().is_constant(0) || structure.terms().size() != 1) return false;
-  const Structure::Term& term = structure.terms()[0];
-  return term.unknown == unknown && degree(term.derivative) == 0 && term.coefficient.is_constant(1);
+// Whether a constant of the function of an unknown is one of the unknown, and of no other.
+bool is_free(std::span<const Structure> structures, int unknown) {
+  if (!structures[unknown].inhomogeneous().is_constant(0)) return false;
+  int uses = 0;
+  bool is_itself = false;
+  for (std::size_t c = 0; c < structures.size(); ++c)
+    for (const Structure::Term& term : structures[c].terms()) {
+      if (term.unknown != unknown) continue;
+      ++uses;
+      is_itself = static_cast<int>(c) == unknown && degree(term.derivative) == 0 &&
+                  term.coefficient.is_constant(1);
+    }
+  return uses == 1 && is_itself;
 }
 
 // The coefficients of a coordinate.
@@ -34,11 +43,11 @@ FreeFunctions::FreeFunctions(std::span<const Structure> structures,
   for (const TensorProductSpace& space : spaces) first.push_back(first.back() + space.size());
   coefficients_.resize(first.back(), 0);
   const int count = static_cast<int>(structures.size());
-  if (spaces.size() != structures.size()) return;
+  if (spaces.size() < structures.size()) return;
   const std::vector<Field> nothing(structures.size(), 0.0);
   std::vector<bool> free;
   for (int c = 0; c < count; ++c) {
-    free.push_back(is_free(structures[c], c));
+    free.push_back(is_free(structures, c));
     if (!free[c]) continue;
     Function constant{{c}, nothing};
     constant.components[c] = 1.0;

@@ -28,6 +28,7 @@ SplineExtraction periodic_splines(std::span<const TensorProductSpace> spaces,
       }
       entries.emplace_back(rows++, known->second, 1.0);
     }
+    result.first.push_back(columns);
   }
   result.matrix.resize(rows, columns);
   result.matrix.setFromTriplets(entries.begin(), entries.end());
