@@ -160,13 +160,20 @@ Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literal
     if (!(corner.scale > 0))
       throw InvalidArgument("the scale of the corner of " + corner.first + " and " + corner.second +
                             " must be positive, got " + std::to_string(corner.scale));
+    bool meet = false;
     for (const int a : literals.named(corner.first))
       for (const int b : literals.named(corner.second)) {
+        meet = meet || a == b ||
+               contact(as_factor(BooleanExpression::variable(a)),
+                       as_factor(BooleanExpression::variable(b)), tree) != Contact::none;
         if (a == b || may_cross_within(a, b, tree))
           throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
                                 " cannot be scaled: they meet inside the region");
         pairs.emplace_back(a, b);
       }
+    if (!meet)
+      throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
+                            " cannot be scaled: they meet nowhere on the boundary");
   }
   return pairs;
 }

@@ -10,6 +10,7 @@
 #include "core/contour.hpp"
 #include "core/contour_distance.hpp"
 #include "core/curved_polygon.hpp"
+#include "core/error.hpp"
 #include "core/exact_distances.hpp"
 #include "core/polygon.hpp"
 #include "core/stroke.hpp"
@@ -103,8 +104,13 @@ Outline outline_of(const std::vector<CurvedContour>& contours, bool exact) {
 
 // What is near a chain. The distance needs an outline.
 Outline stroke_of(const std::vector<CircularEdge>& chain, bool closed, double width, bool exact) {
-  return exact ? outline_of(stroke_outline(chain, closed, width), true)
-               : stroke(chain, closed, width);
+  if (!exact) return stroke(chain, closed, width);
+  try {
+    return outline_of(stroke_outline(chain, closed, width), true);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(std::string(error.what()) +
+                          " (without 'exact' such a stroke is the union of its parts)");
+  }
 }
 
 // The inside of a closed spline. Its sides are the spans, edge i from point i to point i + 1.

@@ -55,9 +55,12 @@ class PartChecker {
       const double part = measure(where ? step(*where) : Field(1.0), primitives[i]);
       if (target.where && part <= negligible_)
         mistakes_.add(
-            fmt::format("the region '{}' is empty: its 'where' is negative on all of '{}'{}",
-                        target.name, names[i],
-                        part > 0 ? " but less than a billionth of the boundary" : ""),
+            fmt::format(
+                fmt::runtime(part > 0 ? "the region '{}' is empty: its 'where' is 0 or more on "
+                                        "less than a billionth of the boundary, a part of '{}'"
+                                      : "the region '{}' is empty: this grid shows no part of "
+                                        "'{}' where its 'where' is 0 or more"),
+                target.name, names[i]),
             target.place);
       total += part;
     }

@@ -11,6 +11,8 @@ namespace {
 
 // With fewer branches a tape is not specialised.
 constexpr int few_branches = 16;
+// Expressions with fewer nodes are not shortened.
+constexpr std::size_t few_nodes = 32;
 
 // What is nowhere positive is zero at most on a set of no measure, which no rule sees.
 Truth sign_of(const LevelFunction& level, const Interval& value) {
@@ -45,13 +47,16 @@ Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluato
     const bool known = special != shortened.end() && special->tape;
     signs[k] = known ? sign_by(level, *special->tape) : sign_by(level, level);
   }
-  const BooleanExpression& expression = region.region().expression();
+  const BooleanExpression& expression = open ? *open : region.region().expression();
   const Truth inside = expression.evaluate(std::span<const Truth>(signs));
   if (inside == Truth::unknown) {
     // Not std::vector<bool>: the marks are a span of bool.
     const auto relevant = std::make_unique<bool[]>(signs.size());
     expression.mark_relevant(signs, std::span(relevant.get(), signs.size()));
     std::erase_if(primitives, [&](int k) { return signs[k] != Truth::unknown || !relevant[k]; });
+    // A tree of n leaves has 2n − 1 nodes, negations and repetitions more.
+    if (expression.nodes().size() > few_nodes + 6 * primitives.size())
+      open = std::make_shared<BooleanExpression>(with_known_signs(expression, known_signs()));
   } else {
     primitives.clear();
   }
@@ -75,15 +80,21 @@ void SurfaceCandidates::shorten(const Box& box, const RegionEvaluator& region) {
   }
 }
 
-TruthTable SurfaceCandidates::make_table(const BooleanExpression& expression) {
-  // Of many primitives few are left: the table is that of the short expression which they are in.
+std::vector<Truth> SurfaceCandidates::known_signs() const {
   std::vector<Truth> known = signs;
   for (Truth& sign : known)
     if (sign == Truth::unknown) sign = Truth::no;
   for (const int k : primitives) known[k] = Truth::unknown;
+  return known;
+}
+
+TruthTable SurfaceCandidates::make_table(const BooleanExpression& expression) {
+  // Of many primitives few are left: the table is that of the short expression which they are in.
+  const std::vector<Truth> known = known_signs();
   constexpr std::size_t few = 16;
-  TruthTable table(known.size() > few ? with_known_signs(expression, known) : expression,
-                   primitives, known);
+  TruthTable table(
+      known.size() > few ? with_known_signs(open ? *open : expression, known) : expression,
+      primitives, known);
   for (int v = 0; v < table.variable_count();) {
     if (table.depends_on(v)) {
       ++v;

@@ -18,6 +18,10 @@ struct SurfaceCandidates {
   std::vector<Truth> signs;
   std::vector<int> primitives;
   std::vector<int> interfaces;
+  /// What the region's expression comes to with the signs known in a larger box, for the primitives
+  /// left there; null for the whole expression. Smaller boxes inherit it, so that of many
+  /// primitives a box costs what is near to it.
+  std::shared_ptr<const BooleanExpression> open;
   /// A primitive given by an expression with many branches (min, max, if, |·|).
   struct Shortened {
     int primitive;
@@ -43,6 +47,8 @@ struct SurfaceCandidates {
 
  private:
   void shorten(const Box& box, const RegionEvaluator& region);
+  /// The signs known, anything for what does not matter, and unknown for `primitives`.
+  std::vector<Truth> known_signs() const;
 };
 
 }  // namespace rfm

@@ -331,6 +331,12 @@ TEST(Weight, CornerScalesBoundItNearTheirCorner) {
   EXPECT_NEAR(value_at(scaled.function, {-r * s, -r * s}) / r, 0.5 * near / std::hypot(0.5, near),
               1e-3);
   EXPECT_NEAR(evaluate(scaled.function, {0, 0.4}, 1, 2).derivative(1, 0), -1, 1e-13);
+  // Opposite sides have no corner.
+  const Region square = box({0, 0}, {1, 1}).named("box");
+  options.corner_scales = {{"box.left", "box.right", 0.2}};
+  EXPECT_THROW(weight_of(square, options), InvalidArgument);
+  options.corner_scales = {{"box.left", "box.top", 0.2}};
+  EXPECT_NO_THROW(weight_of(square, options));
   // Two circles that cross inside their union have no corner there.
   const Region three = circle({0, 0}, 1).named("a") | circle({1, 0}, 1).named("b") |
                        circle({0.5, 0.8}, 1).named("c");
