@@ -192,9 +192,9 @@ int check_problem(const std::string& file, const CheckOptions& options) {
     log.line("note: {}", describe(irregularity, scalar.region(), scalar.has_irregular_weight()));
   for (const RelationAnswer& answer : relations)
     log.line("{}", relation_text(answer, problem.dimension));
-  log.line("{} cells inside, {} cut; {} unknowns", rule.report().inside_cells,
-           rule.report().cut_cells,
-           problem.physics.type == PhysicsType::interpolation ? 0 : scalar.equations(rule, grid).size());
+  log.line(
+      "{} cells inside, {} cut; {} unknowns", rule.report().inside_cells, rule.report().cut_cells,
+      problem.physics.type == PhysicsType::interpolation ? 0 : scalar.equations(rule, grid).size());
   if (options.picture) write_picture(file, options.output, scalar, rule, log);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "problems/flux_balance.hpp"
 #include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
@@ -40,6 +41,18 @@ void require_values(const std::vector<DirichletPlan>& plans, const ScalarSolutio
         "values on the boundary, of up to {:.3g}, are missed by up to {:.3g} by the structure: the "
         "functions of its pieces are too different in size; enforce them weakly (enforce: weak)",
         largest, solution.boundary_residual));
+}
+
+// Residuals are least, but u may be another function (problems/flux_balance.hpp).
+void warn_of_imbalance(const ScalarProblem& problem, ScalarSolution& solution) {
+  constexpr double most = 1e-2;
+  const std::optional<double> part = flux_imbalance(problem, solution);
+  if (part && *part > most)
+    solution.notes.push_back(fmt::format(
+        "warning: sources and fluxes of this solution miss their balance by {:.1f}%: the grid is "
+        "too coarse, or the boundary has a reentrant corner, where residuals lead to another "
+        "function however fine the grid is (method: ritz, or enrich)",
+        100 * *part));
 }
 
 // Tangent, and minus the residual, where the solution is `fields`.
@@ -220,6 +233,10 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
       solution.results.flux.push_back(with_solution(component, {&u, 1}));
   solution.boundary_residual = boundary_residual(solution);
   require_values(plans_, solution);
+  const Discretization::Method method = problem_.discretization.method;
+  if (method == Discretization::Method::least_squares ||
+      method == Discretization::Method::collocation)
+    warn_of_imbalance(*this, solution);
   return solution;
 }
 
