@@ -40,6 +40,19 @@ TEST(Interface, JumpsOfValueAndFluxAreThoseGiven) {
   }
 }
 
+// What ω² Ψ2 adds has one second derivative on both sides.
+TEST(Interface, ThirdFunctionFreesTheSecondDerivativesOfBothSides) {
+  const Structure u = interface_structure(omega, {plus, minus, jump, flux_jump}, 2);
+  int terms = 0;
+  for (const Structure::Term& term : u.terms()) {
+    if (term.unknown != 2) continue;
+    ++terms;
+    EXPECT_GT(value_at(term.coefficient, {0.6, 0}), 0);
+    EXPECT_LT(value_at(term.coefficient, {0.4, 0}), 0);
+  }
+  EXPECT_EQ(terms, 1);
+}
+
 TEST(Interface, AKinkIsContinuousAndItsSlopeFree) {
   const Structure u = kinked(omega);
   const auto value = [](const std::vector<Field>& v) { return v[0]; };
