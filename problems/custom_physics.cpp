@@ -36,6 +36,7 @@ ExpressionScope form_scope(const ValueReader& values, const std::vector<std::str
 void check_form(const Field& formula, Kind kind) {
   try {
     if (kind == Kind::weak) Form::weak(formula);
+    if (kind == Kind::energy) Form::energy(formula);
   } catch (const InvalidArgument& error) {
     throw InputError(error.what(), 0, 0);
   }
@@ -164,6 +165,10 @@ void read_custom_boundary(const DocumentNode& root, ValueReader& values, Boundar
     if (!formula) {
       form.kind = Kind::weak;
       formula = values.find(item, "weak");
+    }
+    if (!formula) {
+      form.kind = Kind::residuals;
+      formula = values.find(item, "residual");
     }
     if (!formula) continue;
     ExpressionScope scope = form_scope(values, problem.physics.unknowns, form.kind == Kind::weak);

@@ -58,16 +58,61 @@ void require_continuous_conductivity(const ScalarProblem& problem) {
 void require_degree(const Problem& problem, const std::vector<Form>& forms) {
   const Discretization& discretization = problem.discretization;
   if (discretization.basis != Discretization::Basis::bspline) return;
-  int degree = discretization.degree, order = 0;
-  for (const auto& [unknown, own] : discretization.degrees) degree = std::max(degree, own);
-  for (const Form& form : forms) order = std::max(order, form.derivative_order());
-  if (order <= degree) return;
-  const DocumentNode* basis = problem.document.find("discretization");
-  if (basis) basis = basis->find("basis");
-  refuse_at(basis ? basis->place : problem.document.place,
-            fmt::format("splines of degree {} have no derivatives of order {}, which the equations "
-                        "contain; expected a degree of {} or more",
-                        degree, order, order));
+  for (std::size_t c = 0; c < problem.physics.unknowns.size(); ++c) {
+    const std::string& name = problem.physics.unknowns[c];
+    const auto own = discretization.degrees.find(name);
+    const bool has_own = own != discretization.degrees.end();
+    const int degree = has_own ? own->second : discretization.degree;
+    int order = 0;
+    for (const Form& form : forms)
+      for (const SymbolSlot& slot : form.slots())
+        if (slot.slot.component == static_cast<int>(c))
+          order = std::max(order, rfm::degree(slot.slot.derivative));
+    if (order <= degree) continue;
+    const DocumentNode* node = &problem.document;
+    for (const char* key : {"discretization", "basis", "degrees"})
+      if (const DocumentNode* inner = node->find(key)) node = inner;
+    refuse_at(node->place,
+              fmt::format("splines of degree {} have no derivatives of order {}, which the "
+                          "equations contain{}; expected a degree of {} or more",
+                          degree, order, has_own ? " of '" + name + "'" : "", order));
+  }
+}
+
+// What is differentiated may not jump: residuals in cells do not see what it does at the jump.
+void require_continuous_coefficients(const Problem& problem, const std::vector<Form>& forms) {
+  if (problem.physics.custom->kind != CustomPhysics::Kind::residuals) return;
+  Field some = 1.0;  // no slot is zero in it
+  for (int axis = 0; axis < problem.dimension; ++axis)
+    some = some + exp((axis + 1) * coordinate(axis));
+  const std::vector<Field> state(problem.physics.unknowns.size(), some);
+  for (const Form& form : forms)
+    for (const Form::ResidualRow& row : form.residual_rows(state))
+      for (const auto& [slot, slope] : row.slopes)
+        if (degree(slot.derivative) >= 2 && jumps(slope))
+          refuse_at(problem.physics.custom->place,
+                    "the coefficients of second and higher derivatives in residuals must not jump: "
+                    "residuals do not see the flux across jumps (of materials, if or step); "
+                    "expected energy or weak");
+}
+
+// Residuals at points are brought down at once.
+void require_one_stop(const Problem& problem) {
+  const Discretization& discretization = problem.discretization;
+  if (discretization.method != Method::collocation &&
+      !(discretization.method == Method::least_squares &&
+        discretization.factorization == Discretization::Factorization::qr))
+    return;
+  for (const char* key : {"load_steps", "continuation"}) {
+    const DocumentNode* node = &problem.document;
+    for (const char* step : {"discretization", "solver", key})
+      if (node) node = node->find(step);
+    if (node && (std::string_view(key) == "continuation" || discretization.load_steps > 1))
+      refuse_at(node->place,
+                fmt::format("{} is for Newton's method by ritz, galerkin and least squares with "
+                            "normal equations, not for residuals at points (collocation, qr)",
+                            key));
+  }
 }
 
 std::vector<Form> scalar_forms(const ScalarProblem& problem, double h) {
@@ -140,6 +185,7 @@ std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) 
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
           : scalar_forms(problem, h);
   require_degree(problem.problem(), list);
+  if (problem.problem().physics.custom) require_continuous_coefficients(problem.problem(), list);
   for (const DirichletPlan& plan : problem.dirichlet())
     for (const PieceCondition& condition : plan.weakly)
       list.push_back(weak_value(problem, condition, list[0], h));
@@ -167,12 +213,18 @@ std::optional<double> energy_of_forms(const ScalarProblem& problem,
 }
 
 void check_method(const Problem& problem) {
+  require_one_stop(problem);
   if (!problem.physics.custom) return;
   const CustomPhysics& custom = *problem.physics.custom;
   const bool has_residuals = custom.kind == CustomPhysics::Kind::residuals;
   if (uses_residuals(problem) && !has_residuals)
     refuse_at(custom.place,
               "least squares and collocation need `residuals`: no energy or weak form tells them");
+  if (uses_residuals(problem))
+    for (const CustomPhysics::BoundaryForm& form : custom.boundary)
+      if (form.kind != CustomPhysics::Kind::residuals)
+        refuse_at(form.place,
+                  "least squares and collocation need a `residual` on the boundary, too");
   if (problem.discretization.method == Method::galerkin && has_residuals)
     refuse_at(
         custom.place,

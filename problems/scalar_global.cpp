@@ -6,12 +6,14 @@
 #include <memory>
 
 #include "basis/tensor_polynomials.hpp"
+#include "core/error.hpp"
 #include "problems/continuation.hpp"
-#include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
+#include "solvers/free_functions.hpp"
 #include "solvers/integrate.hpp"
+#include "solvers/kernel.hpp"
 
 namespace rfm {
 namespace {
@@ -53,6 +55,8 @@ class GlobalForms {
       changes_.push_back(homogeneous_part(structure));
   }
 
+  FreeFunctions candidates() const { return FreeFunctions(solution_.structures(), spaces_); }
+
   const std::vector<Form>& forms() const { return forms_; }
   std::vector<Field> fields(const Eigen::VectorXd& coefficients) const {
     return solution_.fields(coefficients);
@@ -63,6 +67,22 @@ class GlobalForms {
     for (const Form& form : forms_)
       parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
     return assemble_dense(solution_.structures(), spaces_, parts, rule_);
+  }
+  // Minus the residual where the whole solution is zero; nothing if data do not make it another
+  // one than the start, or where it has no value.
+  Eigen::VectorXd loads() const {
+    const bool has_data = std::ranges::any_of(
+        solution_.structures(),
+        [](const Structure& structure) { return !structure.inhomogeneous().is_constant(0); });
+    if (!has_data) return {};
+    try {
+      std::vector<Contribution> parts;
+      const std::vector<Field> zero(changes_.size(), 0.0);
+      for (const Form& form : forms_) parts.push_back(form.linearized(zero));
+      return assemble_dense(changes_, spaces_, parts, rule_).right_hand_side;
+    } catch (const ComputationError&) {  // not defined there, as a logarithm
+      return {};
+    }
   }
   // Tangent, and minus the residual; what is held may be so at another state.
   LinearSystem linearized(const Eigen::VectorXd& coefficients,
@@ -84,8 +104,12 @@ class GlobalForms {
 };
 
 NewtonSolution solved(const GlobalForms& forms, const LinearSolverOptions& linear,
-                      const NewtonOptions& options, const Eigen::VectorXd& start) {
+                      const NewtonOptions& options, const Eigen::VectorXd& start,
+                      const std::function<LinearSystem(const Eigen::VectorXd&)>& finer) {
   NewtonEquations equations;
+  equations.candidates = forms.candidates().coefficients();
+  equations.finer = finer;
+  equations.loads = forms.loads();
   equations.at = [&](const Eigen::VectorXd& state) { return forms.linearized(state); };
   if (std::ranges::any_of(forms.forms(), &Form::holds_anything))
     equations.beside = [&](const Eigen::VectorXd& state, const Eigen::VectorXd& held) {
@@ -107,16 +131,17 @@ void ScalarProblem::solve_global_energy(ScalarSolution& solution) const {
   const Equations equations = this->equations(solution.rule, solution.grid);
   solution.unknowns = equations.size();
   const bool free_constant = fixed_up_to_constant();
-  if (free_constant) check_compatible(solution.rule);
   Stopwatch assembly;
-  LinearSystem system = equations.steady();
-  if (free_constant) pin_one(system);
+  const LinearSystem& system = equations.steady();
   solution.seconds.assembly = assembly.seconds();
 
   Stopwatch solve;
   LinearSolverOptions options = linear_options();
   options.rank_revealing = true;
-  solution.linear = rfm::solve(system, options);
+  const FreeFunctions candidates(equations.structures(), global_spaces(solution.rule.grid()));
+  const Kernel kernel(
+      system, free_constant ? candidates.coefficients() : Eigen::MatrixXd(system.size(), 0));
+  solution.linear = rfm::solve(kernel.pinned(system), options);
   note_dependence(problem_.discretization, solution);
   Field u = equations.fields(solution.linear.coefficients)[0];
   solution.results.unknowns = {{problem_.physics.unknowns[0], u}};
@@ -141,9 +166,25 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
   solution.linearity = linearity(forms.forms(), rule);
   LinearSolverOptions linear = linear_options();
   linear.rank_revealing = true;
+  const FreeFunctions candidates = forms.candidates();
+  Eigen::MatrixXd free;  // of the candidates
+  std::optional<DomainRule> finer;
+  const auto finer_forms = [&] {
+    if (!finer) finer = finer_rule(rule.grid());
+    return GlobalForms(*this, spaces, *finer);
+  };
+  const auto finer_tangent = [&](const Eigen::VectorXd& state) {
+    return finer_forms().linearized(state);
+  };
   if (solution.linearity != Linearity::none) {
     const LinearSystem system = forms.linear();
-    solution.linear = rfm::solve(system, linear);
+    const Kernel kernel(system, candidates.coefficients(), [&] { return finer_forms().linear(); });
+    solution.linear = rfm::solve(kernel.pinned(system), linear);
+    const double missing = kernel.incompatibility(system, solution.linear.coefficients);
+    if (!(missing < Kernel::largest_imbalance))
+      throw ComputationError(
+          candidates.text(UnbalancedLoads(kernel.weights(), missing), problem_.physics.unknowns));
+    free = kernel.weights();
     if (solution.linearity == Linearity::by_value &&
         !is_linear_at(system, solution.linear.coefficients,
                       forms.linearized(solution.linear.coefficients).right_hand_side))
@@ -155,15 +196,28 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
     Eigen::VectorXd start = Eigen::VectorXd::Zero(solution.unknowns);
     for (const ContinuationStop& stop : continuation_stops(problem_)) {
       const ScalarProblem before(stop.problem);
-      start = solved(GlobalForms(before, spaces, rule), linear, options, start).linear.coefficients;
+      start =
+          solved(GlobalForms(before, spaces, rule), linear, options, start, {}).linear.coefficients;
     }
-    NewtonSolution newton = solved(forms, linear, options, start);
+    NewtonSolution newton;
+    try {
+      newton = solved(forms, linear, options, start, finer_tangent);
+    } catch (const UnbalancedLoads& loads) {
+      throw ComputationError(candidates.text(loads, problem_.physics.unknowns));
+    }
     solution.newton_order = newton.order();
     solution.newton = std::move(newton.iterations);
     solution.linear = std::move(newton.linear);
+    const Eigen::VectorXd& state = solution.linear.coefficients;
+    if (candidates.coefficients().cols() > 0)
+      free = Kernel(forms.linearized(state), candidates.coefficients(), [&] {
+               return finer_tangent(state);
+             }).weights();
   }
   note_dependence(problem_.discretization, solution);
-  const std::vector<Field> fields = forms.fields(solution.linear.coefficients);
+  solution.mean_set_to_zero = free.cols() > 0;
+  const std::vector<Field> fields =
+      candidates.without(free, forms.fields(solution.linear.coefficients), rule);
   for (int c = 0; c < unknown_count(); ++c)
     solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
   solution.energy = energy_of_forms(*this, solution);

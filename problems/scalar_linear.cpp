@@ -1,7 +1,5 @@
 // Linear systems of a problem: how each is solved, and what the equations leave free.
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
@@ -28,14 +26,9 @@ LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctio
                                    const std::function<LinearSystem()>& finer) {
   const Kernel kernel(system, coefficients, finer);
   LinearSolution solution = rfm::solve(kernel.pinned(system), options);
-  // Quadrature keeps the balance of loads to its own error, which is that of the solution.
   const double missing = kernel.incompatibility(system, solution.coefficients);
-  if (!(missing < 1e-6))
-    throw ComputationError(
-        fmt::format("no steady solution exists: nothing fixes {}, and the loads on it do not "
-                    "balance (by {:.1e} "
-                    "of all loads)",
-                    candidates.text(kernel.weights(), unknowns), missing));
+  if (!(missing < Kernel::largest_imbalance))
+    throw ComputationError(candidates.text(UnbalancedLoads(kernel.weights(), missing), unknowns));
   return solution;
 }
 
@@ -99,7 +92,7 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
   if (extraction) folded = extraction->folded(system);
   LinearSystem& solved = folded ? *folded : system;
   if (free_constant) pin_one(solved, extraction ? extraction->first[1] : functions[0].size());
-  if (!free_constant && uses_forms(*this) && !problem_.discretization.extension) {
+  if (!free_constant && uses_forms(*this)) {
     const FreeFunctions candidates(structures, functions);
     solution.linear = solve_beside_kernel(
         solved, candidates,

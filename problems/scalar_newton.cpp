@@ -10,7 +10,10 @@
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/collocation.hpp"
+#include "solvers/free_functions.hpp"
 #include "solvers/greville_collocation.hpp"
+#include "solvers/kernel.hpp"
+#include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
 namespace {
@@ -46,8 +49,8 @@ bool ScalarProblem::may_use_qr() const {
   return problem_.discretization.method == Discretization::Method::least_squares &&
          problem_.discretization.factorization == Discretization::Factorization::automatic &&
          function_count() == unknown_count() && !fixed_up_to_constant() &&
-         !problem_.discretization.continuation && !problem_.discretization.extension &&
-         periodic_.empty();
+         !problem_.discretization.continuation && problem_.discretization.load_steps == 1 &&
+         !problem_.discretization.extension && periodic_.empty();
 }
 
 void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
@@ -93,6 +96,8 @@ bool ScalarProblem::solve_least_squares(const std::vector<Form>& equations,
     solve_system();
     // Conjugate gradients estimate nothing; they stop by their residual.
     const LinearSolution& linear = solution.linear;
+    // The start is the solution: nothing was solved.
+    if (solution.newton.size() == 1 && solution.newton[0].step == 0) return false;
     if (linear.method == LinearSolution::Method::conjugate_gradient ||
         linear.smallest_eigenvalue >= smallest) {
       solution.notes.push_back(
@@ -102,8 +107,10 @@ bool ScalarProblem::solve_least_squares(const std::vector<Form>& equations,
     }
     normal_equations =
         fmt::format("have a smallest eigenvalue of {:.1e}", linear.smallest_eigenvalue);
-  } catch (const ComputationError&) {
+  } catch (const SingularSystem&) {
     // What Q R cannot solve either, it reports.
+  } catch (const ComputationError& error) {
+    normal_equations = fmt::format("failed ({})", error.what());
   }
   solve_at_points(equations, functions, solution);
   solution.notes.push_back(
@@ -130,8 +137,14 @@ void ScalarProblem::solve_forms(const std::vector<Form>& equations,
     start = solved_stop(stop, functions, solution.rule, solution.grid, linear_options(), options,
                         start);
   }
-  NewtonSolution newton = solve_newton(structures, functions, equations, solution.rule,
-                                       linear_options(), options, start);
+  NewtonSolution newton;
+  try {
+    newton = solve_newton(structures, functions, equations, solution.rule, linear_options(),
+                          options, start);
+  } catch (const UnbalancedLoads& loads) {
+    throw ComputationError(
+        FreeFunctions(structures, functions).text(loads, problem_.physics.unknowns));
+  }
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);

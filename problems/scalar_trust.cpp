@@ -17,17 +17,29 @@
 
 namespace rfm {
 
-bool ScalarProblem::fixed_up_to_constant() const {
-  if (problem_.physics.custom || depend_on_solution(coefficients_) ||
-      !coefficients_.advection.empty())
+namespace {
+
+// Whether sources and fluxes are known beforehand and nothing else acts, whatever the conductivity.
+bool has_fluxes_only(const ScalarCoefficients& coefficients,
+                     const std::vector<PieceCondition>& conditions) {
+  if (!coefficients.advection.empty() || !coefficients.reaction.is_constant(0) ||
+      has_symbols(coefficients.source))
     return false;
-  if (!coefficients_.reaction.is_constant(0) || !inner_.values.empty()) return false;
-  return std::ranges::all_of(conditions_, [](const PieceCondition& condition) {
+  return std::ranges::all_of(conditions, [&](const PieceCondition& condition) {
+    if (std::ranges::any_of(condition.data, has_symbols)) return false;
     if (condition.kind == Condition::Kind::flux) return true;
     if (condition.kind == Condition::Kind::value) return false;
     if (condition.kind == Condition::Kind::oblique) return false;  // its kernel is looked for
-    return condition.data[0].is_constant(0);                       // no transfer, or a = 0
+    // No transfer, or a = 0, where robin's flux is that of a known conductivity.
+    return condition.data[0].is_constant(0) && !depend_on_solution(coefficients);
   });
+}
+
+}  // namespace
+
+bool ScalarProblem::fixed_up_to_constant() const {
+  return !problem_.physics.custom && !depend_on_solution(coefficients_) && inner_.values.empty() &&
+         has_fluxes_only(coefficients_, conditions_);
 }
 
 // Where a direction is along the boundary it says nothing of the flux, so that there is no weak
@@ -59,6 +71,9 @@ void ScalarProblem::check_directions(const DomainRule& rule) const {
 }
 
 void ScalarProblem::check_compatible(const DomainRule& rule) const {
+  if (problem_.physics.custom || !inner_.values.empty() ||
+      !has_fluxes_only(coefficients_, conditions_))
+    return;
   // ∫ f + ∫ q must vanish: the sum of all loads against the constant 1.
   double resultant = integrate(coefficients_.source, rule);
   double size = integrate(abs(coefficients_.source), rule);

@@ -121,6 +121,8 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"physics.boundary[].at[]", name_value, required, "A shape, side or region."},
     {"physics.boundary[].energy", text_value, alternative, "The energy."},
     {"physics.boundary[].weak", text_value, alternative, "The weak form."},
+    {"physics.boundary[].residual", text_value, alternative,
+     "What is to vanish, times the root of a weight if it shall have one."},
 
     {"physics.materials", list_value, optional,
      "Coefficients that differ from part to part; those beside are defaults."},

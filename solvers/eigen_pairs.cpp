@@ -197,6 +197,9 @@ EigenPairs eigen_pairs(const SparseMatrix& stiffness, const SparseMatrix& given_
     const Eigen::MatrixXd found = lanczos(pencil, factors, ritz.vectors, more, sigma);
     Eigen::MatrixXd span(stiffness.rows(), ritz.vectors.cols() + found.cols());
     span << ritz.vectors, found;
+    if (span.cols() == 0)
+      throw ComputationError(
+          "no mode was found: the mass, or the stiffness, differs too much from place to place");
     ritz = refined(pencil, factors, span);
     first = (ritz.values.array() < least).count();
     const auto from_shift = static_cast<int>(ritz.values.size() - first);

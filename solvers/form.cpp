@@ -18,6 +18,29 @@ bool is_slot(const Field& field) {
 
 bool has_slots(const Field& formula) { return any_node(formula, is_slot); }
 
+// Whether slots are in operations that jump or have corners, of which slopes do not tell: those of
+// sign(u) are 0, those of |u| may be left out of a tangent.
+bool has_slots_in_pieces(const Field& formula) {
+  return any_node(formula, [](const Field& part) {
+    switch (part.node().operation) {
+      case Operation::abs:
+      case Operation::sign:
+      case Operation::min:
+      case Operation::max:
+      case Operation::step:
+      case Operation::floor:
+      case Operation::mod:
+      case Operation::less:
+      case Operation::less_equal:
+      case Operation::equal:
+      case Operation::select:
+        return std::ranges::any_of(part.node().arguments, has_slots);
+      default:
+        return false;
+    }
+  });
+}
+
 // Slots replaced; what is multiplied by a slot that is nothing is nothing, too.
 Field with_slots(const Field& formula, const std::vector<Field>& slots) {
   return walked<Field>(
@@ -67,6 +90,11 @@ Form Form::energy(const Field& density, FormPlace place) {
   for (const auto& [slot, slope] : gradient) form.residual_.push_back({unknowns[slot].slot, slope});
   for (const auto& [row, column, value] : hessian)
     form.add_tangent(unknowns[row].slot, unknowns[column].slot, value);
+  if (has_slots_in_pieces(form.density_) &&
+      std::ranges::none_of(form.residual_, [](const ResidualEntry& entry) {
+        return has_slots_in_pieces(entry.value);
+      }))
+    throw InvalidArgument("an energy that jumps with the unknowns has no slope that tells of it");
   return form;
 }
 
@@ -142,8 +170,14 @@ void Form::add_tangent(const Slot& test, const Slot& trial, const Field& value) 
 }
 
 bool Form::is_linear() const {
-  return std::ranges::none_of(tangent_,
-                              [](const TangentEntry& entry) { return has_slots(entry.value); });
+  if (std::ranges::any_of(tangent_,
+                          [](const TangentEntry& entry) { return has_slots(entry.value); }))
+    return false;
+  return std::ranges::none_of(
+             residual_,
+             [](const ResidualEntry& entry) { return has_slots_in_pieces(entry.value); }) &&
+         std::ranges::none_of(
+             rows_, [](const ResidualRow& row) { return has_slots_in_pieces(row.value); });
 }
 
 int Form::derivative_order() const {

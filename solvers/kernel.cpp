@@ -1,7 +1,10 @@
 #include "solvers/kernel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 #include "solvers/equilibration.hpp"
@@ -18,6 +21,26 @@ constexpr double doubtful = 1e-5;
 SparseMatrix whole(const LinearSystem& system) {
   if (!system.symmetric) return system.matrix;
   return SparseMatrix(system.matrix.selfadjointView<Eigen::Lower>());
+}
+
+Eigen::MatrixXd without_columns(const Eigen::MatrixXd& matrix,
+                                const std::vector<Eigen::Index>& dropped) {
+  Eigen::MatrixXd kept(matrix.rows(), matrix.cols() - static_cast<Eigen::Index>(dropped.size()));
+  for (Eigen::Index k = 0, next = 0; k < matrix.cols(); ++k)
+    if (std::ranges::find(dropped, k) == dropped.end()) kept.col(next++) = matrix.col(k);
+  return kept;
+}
+
+// The middle of the factors of other functions; 1 where there are none.
+double middle_of(const Eigen::VectorXd& factors, const std::vector<Eigen::Index>& except) {
+  std::vector<double> others;
+  for (Eigen::Index i = 0; i < factors.size(); ++i)
+    if (factors[i] > 0 && std::ranges::find(except, i) == except.end())
+      others.push_back(factors[i]);
+  if (others.empty()) return 1;
+  const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+  std::nth_element(others.begin(), middle, others.end());
+  return *middle;
 }
 
 // Turns the columns of A, and those of X alike, until they are orthogonal: the lengths of A's are
@@ -83,6 +106,14 @@ std::vector<Eigen::Index> telling_rows(Eigen::MatrixXd columns) {
 
 }  // namespace
 
+UnbalancedLoads::UnbalancedLoads(Eigen::MatrixXd kernel, double missing)
+    : ComputationError(fmt::format(
+          "no steady solution exists: nothing fixes a part of it, and the loads on that "
+          "do not balance (by {:.1e} of all loads)",
+          missing)),
+      kernel_(std::move(kernel)),
+      missing_(missing) {}
+
 Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates,
                const std::function<LinearSystem()>& finer) {
   if (candidates.rows() != system.size())
@@ -97,11 +128,46 @@ Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates,
   for (Eigen::Index i = 0; i < basis.rows(); ++i)
     basis.row(i) *= columns_[i] > 0 ? 1 / columns_[i] : 0;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Identity(count, count);
+  // Candidates of functions that are all dropped, or would be but for rounding, which scaling makes
+  // as large as any other entry: another rule has another.
+  std::optional<SparseMatrix> better;
+  const auto is_noise = [&](Eigen::Index function) {
+    if (!finer) return false;
+    if (!better) better = whole(finer());
+    const Eigen::VectorXd own = matrix.col(function);
+    return (better->col(function) - own).norm() > 0.5 * own.norm();
+  };
+  std::vector<Eigen::Index> dropped;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    Eigen::Index row = 0;
+    candidates.col(k).cwiseAbs().maxCoeff(&row);
+    const bool is_single = (candidates.col(k).array() != 0).count() == 1;
+    if (!basis.col(k).isZero(0) && !(is_single && is_noise(row))) continue;
+    dropped.push_back(k);
+    pinned_.push_back(row);
+  }
+  for (Eigen::VectorXd* scale : {&rows_, &columns_}) {
+    const double others = middle_of(*scale, pinned_);
+    for (const Eigen::Index row : pinned_) (*scale)[row] = others;
+  }
+  weights_ = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(dropped.size()));
+  for (std::size_t k = 0; k < dropped.size(); ++k)
+    weights_(dropped[k], static_cast<Eigen::Index>(k)) = 1;
+  if (dropped.size() == static_cast<std::size_t>(count)) return;
+  basis = without_columns(basis, dropped);
+  weights = without_columns(weights, dropped);
+  find(matrix, basis, weights, finer);
+}
+
+void Kernel::find(const SparseMatrix& matrix, Eigen::MatrixXd& basis, Eigen::MatrixXd& weights,
+                  const std::function<LinearSystem()>& finer) {
+  const Eigen::Index count = basis.cols();
   orthonormalize(basis, weights);
   Eigen::MatrixXd seen(basis.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k)
     seen.col(k) = rows_.cwiseProduct(matrix * columns_.cwiseProduct(basis.col(k)));
-  Eigen::MatrixXd turned(count + basis.rows(), count);
+  const Eigen::Index all = weights.rows();
+  Eigen::MatrixXd turned(all + basis.rows(), count);
   turned << weights, basis;
   orthogonalize(seen, turned);
   std::vector<Eigen::Index> unseen;
@@ -123,12 +189,13 @@ Kernel::Kernel(const LinearSystem& system, const Eigen::MatrixXd& candidates,
   }
   if (unseen.empty()) return;
   Eigen::MatrixXd functions(basis.rows(), unseen.size());
-  weights_.resize(count, static_cast<Eigen::Index>(unseen.size()));
+  const Eigen::Index known = weights_.cols();
+  weights_.conservativeResize(all, known + static_cast<Eigen::Index>(unseen.size()));
   for (std::size_t k = 0; k < unseen.size(); ++k) {
-    weights_.col(static_cast<Eigen::Index>(k)) = turned.col(unseen[k]).head(count);
+    weights_.col(known + static_cast<Eigen::Index>(k)) = turned.col(unseen[k]).head(all);
     functions.col(static_cast<Eigen::Index>(k)) = turned.col(unseen[k]).tail(basis.rows());
   }
-  pinned_ = telling_rows(functions);
+  for (const Eigen::Index row : telling_rows(functions)) pinned_.push_back(row);
 }
 
 LinearSystem Kernel::pinned(LinearSystem system) const {
@@ -147,12 +214,15 @@ LinearSystem Kernel::pinned(LinearSystem system) const {
 
 double Kernel::incompatibility(const LinearSystem& system, const Eigen::VectorXd& solution) const {
   if (size() == 0) return 0;
-  const Eigen::VectorXd loads = rows_.cwiseProduct(system.right_hand_side);
-  const double all = loads.lpNorm<1>();
+  return imbalance(system.right_hand_side - whole(system) * solution, system.right_hand_side);
+}
+
+double Kernel::imbalance(const Eigen::VectorXd& residual, const Eigen::VectorXd& loads) const {
+  const double all = size() > 0 ? rows_.cwiseProduct(loads).lpNorm<1>() : 0;
   if (all == 0) return 0;
-  const Eigen::VectorXd missing = system.right_hand_side - whole(system) * solution;
   double largest = 0;
-  for (const Eigen::Index i : pinned_) largest = std::max(largest, std::abs(rows_[i] * missing[i]));
+  for (const Eigen::Index i : pinned_)
+    largest = std::max(largest, std::abs(rows_[i] * residual[i]));
   return largest / all;
 }
 

@@ -37,10 +37,14 @@ class Newton {
     set_scale();
     require_tangent();
     const Vector first_residual = system_.right_hand_side;
+    loads_ = equations_.loads.size() > 0 && norm_of(equations_.loads) > norm_of(first_residual)
+                 ? equations_.loads
+                 : first_residual;
     for (int step = 1; step <= options_.load_steps; ++step) {
       remaining_ = (1 - double(step) / options_.load_steps) * first_residual;
       iterate();
     }
+    require_balance();
     solution_.linear.coefficients = coefficients_;
     return std::move(solution_);
   }
@@ -59,7 +63,8 @@ class Newton {
   // Functions that the tangent leaves out are not moved, and their equations would not be looked
   // at: a start where the whole tangent vanishes, as of |∇u|⁴ at u = 0, would pass for a solution.
   void require_tangent() const {
-    const SparseMatrix& matrix = system_.matrix;
+    const LinearSystem system = beside_kernel(system_);
+    const SparseMatrix& matrix = system.matrix;
     std::vector<bool> is_empty(static_cast<std::size_t>(matrix.rows()), true);
     for (Eigen::Index outer = 0; outer < matrix.outerSize(); ++outer)
       for (SparseMatrix::InnerIterator entry(matrix, outer); entry; ++entry)
@@ -67,16 +72,18 @@ class Newton {
           is_empty[static_cast<std::size_t>(entry.row())] =
               is_empty[static_cast<std::size_t>(entry.col())] = false;
     if (is_empty.empty()) return;
-    const double largest = system_.right_hand_side.cwiseAbs().maxCoeff();
+    const double largest = system.right_hand_side.cwiseAbs().maxCoeff();
     bool vanishes = std::ranges::all_of(is_empty, [](bool empty) { return empty; });
     for (Eigen::Index row = 0; row < matrix.rows(); ++row)
       vanishes |= is_empty[static_cast<std::size_t>(row)] &&
-                  std::fabs(system_.right_hand_side[row]) > rounding * largest;
+                  std::fabs(system.right_hand_side[row]) > rounding * largest;
     if (vanishes)
       fail(
           "the tangent vanishes at the start, where the equations are not satisfied: it shows no "
           "way to go");
   }
+
+  double norm_of(const Vector& residual) const { return row_scale_.cwiseProduct(residual).norm(); }
 
   double residual_of(const LinearSystem& system) const {
     return row_scale_.cwiseProduct(system.right_hand_side - remaining_).norm();
@@ -123,10 +130,22 @@ class Newton {
   // What the equations leave free is pinned.
   LinearSystem beside_kernel(LinearSystem system) const {
     if (equations_.candidates.cols() == 0) return system;
+    const Kernel kernel = kernel_of(system);
+    return kernel.pinned(std::move(system));
+  }
+
+  Kernel kernel_of(const LinearSystem& system) const {
     std::function<LinearSystem()> finer;
     if (equations_.finer) finer = [&] { return equations_.finer(coefficients_); };
-    const Kernel kernel(system, equations_.candidates, finer);
-    return kernel.pinned(std::move(system));
+    return Kernel(system, equations_.candidates, finer);
+  }
+
+  // Equations that were given up for what is free hold only if the loads balance.
+  void require_balance() const {
+    if (equations_.candidates.cols() == 0) return;
+    const Kernel kernel = kernel_of(system_);
+    const double missing = kernel.imbalance(system_.right_hand_side, loads_);
+    if (!(missing < Kernel::largest_imbalance)) throw UnbalancedLoads(kernel.weights(), missing);
   }
 
   void advance(const Vector& step, NewtonIteration& iteration) {
@@ -152,6 +171,7 @@ class Newton {
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
+    if (!solution_.iterations.empty()) require_balance();  // residuals then fall to it at most
     std::string text = "Newton's method does not converge: " + reason;
     const bool indefinite = std::ranges::any_of(solution_.iterations, &NewtonIteration::indefinite);
     if (indefinite)
@@ -167,7 +187,7 @@ class Newton {
   const NewtonEquations& equations_;
   LinearSolverOptions linear_options_;
   NewtonOptions options_;
-  Vector coefficients_, row_scale_, column_scale_, remaining_;
+  Vector coefficients_, row_scale_, column_scale_, remaining_, loads_;
   LinearSystem system_;
   NewtonSolution solution_;
 };

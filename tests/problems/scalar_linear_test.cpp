@@ -82,4 +82,18 @@ TEST(ScalarLinear, NonlinearEquationsAreSaidToBe) {
   EXPECT_GT(solution.newton.size(), 2u);
 }
 
+// Dry friction on a membrane: −Δu + 3 sign(u) = 4 with u = 0 on the circle, hence −Δu = 1.
+TEST(ScalarLinear, EquationsThatJumpInTheUnknownAreNotLinear) {
+  const auto solved = [](const std::string& force) {
+    return solved_on_disk("weak: 'dx(u)*dx(test(u)) + dy(u)*dy(test(u)) - (" + force + ")*test(u)'",
+                          {"conditions.0.value=0"});
+  };
+  const ScalarSolution known = solved("1");
+  for (const char* force : {"4 - 3*sign(u)", "4 - if(u > 0, 3, 0)"}) {
+    const ScalarSolution solution = solved(force);
+    EXPECT_EQ(solution.linearity, Linearity::none) << force;
+    EXPECT_LT(difference(solution, known), 1e-12) << force;
+  }
+}
+
 }  // namespace

@@ -137,6 +137,24 @@ TEST(Form, DerivativesOfExpressionsAreCarriedOutDownToTheUnknowns) {
 
 TEST(Form, SymbolsHaveNoValues) { EXPECT_TRUE(std::isnan(value_at(u, {0.1, 0.2}))); }
 
+// The slope of sign(u) is zero, that of a corner is left out: slopes do not tell.
+TEST(Form, IsNotLinearWhereItJumpsOrHasACornerInTheUnknowns) {
+  const Field u = unknown_symbol(0, 2), v = test_symbol(0, 2);
+  const Field square = 0.5 * dot(gradient(u, 2), gradient(u, 2));
+  for (const Field& part : {sign(u), step(u - 0.5), abs(u), max(u, 0.5), min(u, 0.5),
+                            select(step(u - 0.5), Field(14.0), Field(4.0))}) {
+    EXPECT_FALSE(Form::energy(square + part * u).is_linear());
+    EXPECT_FALSE(Form::weak(part * v).is_linear());
+    EXPECT_FALSE(Form::least_squares({partial(u, MultiIndex{2, 0, 0}) + part}).is_linear());
+  }
+  for (const Field& corner : {abs(u), max(u, 0.5), min(u, 0.5)})
+    EXPECT_FALSE(Form::energy(square + corner).is_linear());
+  for (const Field& jump : {sign(u), step(u - 0.5)})
+    EXPECT_THROW(Form::energy(square + jump), InvalidArgument);
+  // Of coordinates they may.
+  EXPECT_TRUE(Form::energy(square + sign(coordinate(0)) * u).is_linear());
+}
+
 TEST(Form, ThatIsNotLinearInTheTestFunctionIsRefused) {
   EXPECT_THROW(Form::weak(u * v + x), InvalidArgument);
   EXPECT_THROW(Form::weak(u * v * v), InvalidArgument);
