@@ -78,7 +78,11 @@ Interval operator/(const Interval& a, const Interval& b) {
   return a * inverse;
 }
 
+// Of what nothing is known, as where an argument may be no number, no function tells more.
+static bool is_entire(const Interval& a) { return a.low == -infinity && a.high == infinity; }
+
 Interval square(const Interval& a) {
+  if (is_entire(a)) return a;
   if (a.is_zero()) return {};
   const double low = a.low * a.low, high = a.high * a.high;
   if (a.low <= 0 && a.high >= 0) return positive(0, std::max(low, high), basic_margin);
@@ -103,17 +107,23 @@ static Interval whole_power(const Interval& a, double exponent) {
     if (high == 0 && a.high > 0) wide.high = denormal;
     return wide;
   }
+  if (is_entire(a)) return a;
   if (a.low <= 0 && a.high >= 0) return positive(0, std::max(low, high), library_margin);
   return positive(std::min(low, high), std::max(low, high), library_margin);
 }
 
 Interval integer_power(const Interval& a, int exponent) { return whole_power(a, exponent); }
 
+// Whether an argument may leave [least, most], but for rounding of what it is computed from.
+static bool may_leave(const Interval& a, double least, double most = infinity) {
+  constexpr double rounding = 1e-13;
+  return !(a.low >= least - rounding * std::max(std::fabs(least), a.high)) ||
+         !(a.high <= most * (1 + rounding));
+}
+
 Interval power(const Interval& a, double exponent) {
   if (exponent == std::floor(exponent)) return whole_power(a, exponent);
-  if (a.high < 0) return Interval::entire();
-  if (a.low == -infinity)  // the power of −∞ is that of ∞
-    return exponent > 0 ? Interval(0, infinity) : Interval(0, power({0, a.high}, exponent).high);
+  if (may_leave(a, 0)) return Interval::entire();
   const double low = std::max(a.low, 0.0), high = a.high;
   const double p = std::pow(low, exponent), q = std::pow(high, exponent);
   if (high == 0 && exponent < 0) return Interval::entire();
@@ -128,7 +138,7 @@ double error_of_power(const Interval& a, double relative, double lost) {
 }
 
 Interval sqrt(const Interval& a) {
-  if (a.high < 0) return Interval::entire();
+  if (may_leave(a, 0)) return Interval::entire();
   const Interval wide = outward(std::sqrt(std::max(a.low, 0.0)), std::sqrt(a.high));
   return {std::max(wide.low, 0.0), wide.high};
 }
@@ -138,15 +148,17 @@ Interval cbrt(const Interval& a) {
 }
 
 Interval exp(const Interval& a) {
+  if (is_entire(a)) return a;
   return positive(std::exp(a.low), std::exp(a.high), library_margin);
 }
 
 Interval log(const Interval& a) {
-  if (a.high < 0) return Interval::entire();
+  if (may_leave(a, 0)) return Interval::entire();
   return increasing(a, [](double x) { return x > 0 ? std::log(x) : -infinity; });
 }
 
 Interval cos(const Interval& a) {
+  if (is_entire(a)) return a;
   constexpr double pi = std::numbers::pi;
   // Beyond 2⁵⁰ the period is lost in rounding.
   if (!(a.width() < 2 * pi) || a.magnitude() > 0x1p50) return {-1, 1};
@@ -163,6 +175,7 @@ Interval cos(const Interval& a) {
 }
 
 Interval sin(const Interval& a) {
+  if (is_entire(a)) return a;
   constexpr double half_pi = std::numbers::pi / 2;
   if (!(a.width() < 4 * half_pi) || a.magnitude() > 0x1p50) return {-1, 1};
   const double slack = 4e-16 * (1 + a.magnitude() / half_pi);
@@ -187,19 +200,20 @@ Interval tan(const Interval& a) {
 }
 
 Interval asin(const Interval& a) {
-  if (a.high < -1 || a.low > 1) return Interval::entire();
+  if (may_leave(a, -1, 1)) return Interval::entire();
   return increasing({std::clamp(a.low, -1.0, 1.0), std::clamp(a.high, -1.0, 1.0)},
                     [](double x) { return std::asin(x); });
 }
 
 Interval acos(const Interval& a) {
-  if (a.high < -1 || a.low > 1) return Interval::entire();
+  if (may_leave(a, -1, 1)) return Interval::entire();
   const Interval wide =
       library(std::acos(std::clamp(a.high, -1.0, 1.0)), std::acos(std::clamp(a.low, -1.0, 1.0)));
   return {std::max(wide.low, 0.0), wide.high};
 }
 
 Interval atan(const Interval& a) {
+  if (is_entire(a)) return a;
   return increasing(a, [](double x) { return std::atan(x); });
 }
 
@@ -224,12 +238,14 @@ Interval sinh(const Interval& a) {
 }
 
 Interval cosh(const Interval& a) {
+  if (is_entire(a)) return a;
   const double p = std::cosh(a.low), q = std::cosh(a.high);
   const Interval wide = library(std::min(p, q), std::max(p, q));
   return {a.contains(0) ? 1 : std::max(1.0, wide.low), wide.high};
 }
 
 Interval tanh(const Interval& a) {
+  if (is_entire(a)) return a;
   return increasing(a, [](double x) { return std::tanh(x); });
 }
 
@@ -238,10 +254,13 @@ Interval asinh(const Interval& a) {
 }
 
 Interval erf(const Interval& a) {
+  if (is_entire(a)) return a;
   return increasing(a, [](double x) { return std::erf(x); });
 }
 
-Interval abs(const Interval& a) { return {a.mignitude(), a.magnitude()}; }
+Interval abs(const Interval& a) {
+  return is_entire(a) ? a : Interval(a.mignitude(), a.magnitude());
+}
 
 Interval floor(const Interval& a) { return {std::floor(a.low), std::floor(a.high)}; }
 

@@ -64,8 +64,8 @@ Interval operator/(const Interval& a, const Interval& b);
 
 Interval square(const Interval& a);
 Interval integer_power(const Interval& a, int exponent);
-// Functions that are undefined in part of `a` are enclosed where they are defined (√, log, asin,
-// acos, real powers); where that is nowhere, nothing is known: the entire line.
+// Of functions that may be no number somewhere in `a` (√, log, asin, acos, real powers) nothing is
+// known, the entire line, so that nothing is proved of them there; rounding of `a` does not count.
 
 /// aᵉ for a ≥ 0.
 Interval power(const Interval& a, double exponent);

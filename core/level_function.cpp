@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/point_program.hpp"
 #include "core/source_breakpoints.hpp"
@@ -19,8 +20,9 @@ Interval range_everywhere(const Field& field, int dimension) {
   if (!sources_of(field).empty()) return Interval::entire();
   Box everywhere;
   everywhere.dimension = dimension;
-  everywhere.low.fill(-INFINITY);
-  everywhere.high.fill(INFINITY);
+  // Infinite intervals stand for values that may be no numbers.
+  everywhere.low.fill(std::numeric_limits<double>::lowest());
+  everywhere.high.fill(std::numeric_limits<double>::max());
   const Interval range = Tape({field}, {0}, dimension).value_bounds(everywhere);
   return {std::isnan(range.low) ? -INFINITY : range.low,
           std::isnan(range.high) ? INFINITY : range.high};

@@ -91,10 +91,10 @@ class RuleBuilder : public PartVisitor {
         rule_(rule),
         sink_{cell.dimension,
               rule,
-              {cell, rule.moments, options.compare_orders && options.points > 2}},
+              {cell, rule.moments, options.compare_orders && options.points > 3}},
         points_(options.points, sink_),
         compare_(options.compare_orders),
-        others_(cell, rule.other_moments, options.points, options.points > 2) {}
+        others_(cell, rule.other_moments, options.points, options.points > 3) {}
 
   void full(const Box& box, const Frame* frame) override {
     rule_.is_full = !frame && box.low == cell_.low && box.high == cell_.high;

@@ -9,6 +9,7 @@
 #include "quadrature/cell_surfaces.hpp"
 #include "quadrature/compression.hpp"
 #include "quadrature/cut_cell.hpp"
+#include "quadrature/flush_faces.hpp"
 #include "quadrature/rule_parts.hpp"
 
 namespace rfm {
@@ -20,6 +21,7 @@ class DomainRuleBuilder {
       : options_(options),
         classification_(classify_cells(region, grid, interfaces, Classification::loose)),
         surfaces_(region, interfaces),
+        flush_faces_(region),
         breakpoints_(surfaces_.breakpoints(options.breakpoints)),
         rule_(grid) {
     rule_.inside_points_ = options.inside_points;
@@ -128,6 +130,10 @@ class DomainRuleBuilder {
           surfaces_.visit_cut_cell(classification_, task.cut_cell, whole, breakpoints_, add);
     }
     drop_singular_points(rule, volume, boundary);
+    if (!flush_faces_.empty())
+      rule.boundary.erase_if(boundary, [&](int i) {
+        return flush_faces_.is_crack(rule.boundary.numbers[i], rule.boundary.point(i));
+      });
     CompensatedSum measure = sum_of_weights(rule.volume, volume);
     const double fraction = measure.value() / cell.measure();
     const bool split = is_split_cell(cell) || rule.interfaces.size() > interfaces;
@@ -202,6 +208,7 @@ class DomainRuleBuilder {
   const QuadratureOptions& options_;
   CellClassification classification_;
   CellSurfaces surfaces_;
+  FlushFaces flush_faces_;
   Breakpoints breakpoints_;
   double spacing_ = 0;  // the longest side of a cell
   DomainRule rule_;

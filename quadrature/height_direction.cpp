@@ -19,7 +19,7 @@ double middle_magnitude(const Interval& interval) {
 HeightDirections find_heights(const Box& box, std::span<const FunctionBounds> surfaces,
                               double flatness) {
   HeightDirections choice;
-  double nearest = -1;
+  double nearest = 0;
   std::array<double, 3> scores{};
   for (int axis = 0; axis < box.dimension; ++axis) {
     bool serves = true;
@@ -55,6 +55,26 @@ HeightDirections find_heights(const Box& box, std::span<const FunctionBounds> su
     }
   }
   return choice;
+}
+
+int likely_height(const Box& box, std::span<const Point> gradients) {
+  int likely = 0;
+  double nearest = -1;
+  for (int axis = 0; axis < box.dimension; ++axis) {
+    double guess = 1;
+    for (const Point& gradient : gradients) {
+      double total = 0;
+      for (int other = 0; other < box.dimension; ++other)
+        total += std::fabs(gradient[other]) * box.length(other);
+      if (std::isfinite(total) && total > 0)
+        guess = std::min(guess, std::fabs(gradient[axis]) * box.length(axis) / total);
+    }
+    if (guess > nearest) {
+      nearest = guess;
+      likely = axis;
+    }
+  }
+  return likely;
 }
 
 }  // namespace rfm

@@ -27,11 +27,11 @@ struct MomentSink {
 };
 
 /// Volume and boundary by the Gauss rule of another order than the one of which points are kept:
-/// one point fewer. All nodes are different, but the structure is the same, and where the record of
-/// the first rule shows that lines meet the same surfaces all along an interval, their crossings
-/// are found by Newton's method from the polynomial through the recorded ones, instead of from both
-/// ends of the line: two evaluations instead of five. What does not converge to a crossing on the
-/// line, in order, is found as usual.
+/// two points fewer (one, of two; of one, two more). All nodes are different, but the structure is
+/// the same, and where the record of the first rule shows that lines meet the same surfaces all
+/// along an interval, their crossings are found by Newton's method from the polynomial through the
+/// recorded ones, instead of from both ends of the line: two evaluations instead of five. What does
+/// not converge to a crossing on the line, in order, is found as usual.
 class OrderComparison {
  public:
   /// `points` is that of the recorded rule.

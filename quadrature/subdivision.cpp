@@ -64,6 +64,15 @@ void Subdivision::visit_waiting() {
   waiting_.clear();
 }
 
+int likely_axis(const Box& box, const ActiveSet& active, const HeightDirections& heights) {
+  if (heights.likely >= 0) return heights.likely;
+  std::array<Point, ActiveSet::capacity> gradients{};
+  const Point center = box.center();
+  for (int i = 0; i < active.count; ++i)
+    active.surfaces[i]->value_and_gradient(center, gradients[i]);
+  return likely_height(box, std::span(gradients).first(static_cast<std::size_t>(active.count)));
+}
+
 // Whether the budget allows for another bisection and for what the boxes that wait would cost as
 // they are: to be bounded and reduced, with some tens of lines and of points each.
 bool Subdivision::may_bisect(const ActiveSet& active, int depth) const {
@@ -192,7 +201,7 @@ bool Subdivision::reduced(const Box& box, const ActiveSet& active,
   if (box.dimension == 3) return space_reduced(box, active, bounds, heights, depth);
   if (!proven && without_interfaces(box, active, depth)) return true;
   if (box.dimension == 2) {
-    const int height = proven ? heights.proven[0] : heights.likely;
+    const int height = proven ? heights.proven[0] : likely_axis(box, active, heights);
     plane_.build({box, 1 - height, height}, active, bounds, PlaneProofs(), frame_);
     report(plane_, proven);
     const bool certified = proven && plane_.certified();
@@ -236,7 +245,8 @@ bool Subdivision::space_reduced(const Box& box, const ActiveSet& active,
   if (without_interfaces(box, active, depth)) return true;
   options.best_effort = true;
   options.in_haste = depth < max_depth_ || 2 * (last_work - work_done) < options_.max_work;
-  space_.build(box, active, bounds, heights.proven_count > 0 ? heights.proven[0] : heights.likely,
+  space_.build(box, active, bounds,
+               heights.proven_count > 0 ? heights.proven[0] : likely_axis(box, active, heights),
                options);
   report(space_, false);
   add_uncertified(box, boundary_measure(box, active));

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "core/primitives.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "tests/quadrature/regions.hpp"
 
@@ -93,6 +94,38 @@ TEST(FacesOnGridLines, BetweenTwoPartsOfTheRegionLeaveNoCrack) {
     EXPECT_NEAR(rule.measure(), 4, 1e-14);
     EXPECT_NEAR(rule.boundary_measure(), 8, 1e-14);
   }
+}
+
+// The sides of a are none of the boundary where b begins, wherever the grid has its lines.
+TEST(FacesOnGridLines, OfFlushShapesThatLookAtEachOtherLeaveNoCrack) {
+  const Region a = rfm::box({-1, -1}, {1, 1}), b = rfm::box({1, -1}, {1.5, 1}),
+               hole = rfm::box({-0.8, -0.3}, {-0.2, 0.3}),
+               plate = rfm::box({-1.9, -1.9}, {1.9, 1.9});
+  const struct {
+    Region region;
+    double area, perimeter;
+  } cases[] = {{a ^ b, 5, 9},
+               {(a & b) | hole, 0.36, 2.4},
+               {plate - (a ^ b), 14.44 - 5, 15.2 + 9},
+               {plate - (a & b), 14.44, 15.2},
+               {(a | b) - b, 4, 8},
+               {a ^ (a | b), 1, 5},
+               {a - !b, 0, 0}};
+  for (const auto& [region, area, perimeter] : cases)
+    for (const int cells : {7, 8, 12, 16}) {
+      const DomainRule rule = rule_for(region, grid(2, cells));
+      EXPECT_NEAR(rule.measure(), area, 1e-12) << cells;
+      EXPECT_NEAR(rule.boundary_measure(), perimeter, 1e-12) << cells;
+    }
+  const Region body = rfm::box({-1, -1, -1}, {1, 1, 1}, 3),
+               flush = rfm::box({1, -1, -1}, {1.5, 1, 1}, 3);
+  for (const int cells : {4, 7, 8}) {
+    EXPECT_NEAR(rule_for(body ^ flush, grid(2, cells, 3)).boundary_measure(), 28, 1e-12) << cells;
+    EXPECT_NEAR(rule_for(body - (body ^ flush), grid(2, cells, 3)).boundary_measure(), 0, 1e-12);
+  }
+  // A slit as thin as one ten billionth is no crack.
+  const Region slit = a | rfm::box({1 + 1e-10, -1}, {1.5, 1});
+  EXPECT_NEAR(rule_for(slit, grid(2, 8)).boundary_measure(), 13, 1e-9);
 }
 
 TEST(FacesOnGridLines, OfHolesAreCountedOnce) {

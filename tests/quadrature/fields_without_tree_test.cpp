@@ -5,6 +5,7 @@
 
 #include "core/evaluate.hpp"
 #include "core/exact_distances.hpp"
+#include "core/expression_text.hpp"
 #include "core/spline_field.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "tests/quadrature/standard_regions.hpp"
@@ -60,6 +61,27 @@ TEST(FieldsWithoutTree, OffsetsOfAnEllipsoidHaveTheVolumesOfSteiner) {
               6 * ball * h * h * h, 1e-5);
   EXPECT_NEAR(three.boundary_measure() - 2 * two.boundary_measure() + one.boundary_measure(),
               6 * ball * h * h, 1e-3);
+}
+
+// Where a function is no number there is no inside, though what is known of its other values, or of
+// a function of it, would make it one.
+TEST(FieldsWithoutTree, PointsAreOutsideWhereTheFunctionIsNoNumber) {
+  struct Case {
+    Field field;
+    double measure;
+  };
+  for (const auto& [field, measure] :
+       {Case{-1.0 * log(x()), 0.5}, Case{1 - log(x()) - y() * y(), 0.5},
+        Case{asin(4 * x()) + 2, 0.5}, Case{acos(4 * x()), 0.5},
+        Case{sqrt(x()) + 1 - y() * y(), 0.5}, Case{pow(x(), Field(0.5)) + 0.1, 0.5},
+        Case{exp(-1.0 * sqrt(x())), 0.5}, Case{abs(log(x())) + 1, 0.5},
+        Case{square(sqrt(x())) + 1, 0.5}, Case{log(x()) + 1, 0.5 - std::exp(-1)}}) {
+    const DomainRule rule = rule_for(region_of(field, 2), grid(0.5, 2), 4);
+    EXPECT_NEAR(rule.measure(), measure, 1e-3) << to_text(field);
+    // It is told how much of the grid that concerns.
+    EXPECT_GT(rule.report().uncertified.measure, 0.49) << to_text(field);
+    EXPECT_LT(rule.report().uncertified.measure, 0.53) << to_text(field);
+  }
 }
 
 TEST(FieldsWithoutTree, ABlendOfTwoDisksMixesWithALine) {
