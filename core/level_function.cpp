@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/point_program.hpp"
 #include "core/source_breakpoints.hpp"
@@ -20,9 +19,10 @@ Interval range_everywhere(const Field& field, int dimension) {
   if (!sources_of(field).empty()) return Interval::entire();
   Box everywhere;
   everywhere.dimension = dimension;
-  // Infinite intervals stand for values that may be no numbers.
-  everywhere.low.fill(std::numeric_limits<double>::lowest());
-  everywhere.high.fill(std::numeric_limits<double>::max());
+  // Not all of it: the entire line stands for values that may be no numbers.
+  constexpr double far = 1e100;
+  everywhere.low.fill(-far);
+  everywhere.high.fill(far);
   const Interval range = Tape({field}, {0}, dimension).value_bounds(everywhere);
   return {std::isnan(range.low) ? -INFINITY : range.low,
           std::isnan(range.high) ? INFINITY : range.high};

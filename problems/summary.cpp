@@ -198,6 +198,8 @@ ordered_json make_summary(const ScalarProblem& problem, const ScalarSolution& so
       {"linear_solver", solution.eigen ? "lanczos" : method_name(solution.linear.method)},
       {"smallest_eigenvalue", solution.linear.smallest_eigenvalue},
       {"dropped_splines", solution.linear.dropped}};
+  if (solution.rule.interfaces().points.size() > 0)
+    summary["trust"]["order_difference"]["interfaces"] = quadrature.order_difference.interfaces;
   if (!edges.empty()) summary["trust"]["edges"] = edges;
   if (solution.linear.dependent > 0)
     summary["trust"]["dependent_functions"] = solution.linear.dependent;

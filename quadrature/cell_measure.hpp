@@ -6,6 +6,7 @@ namespace rfm {
 struct CellMeasure {
   double volume = 0;
   double boundary = 0;
+  double interfaces = 0;
 };
 
 }  // namespace rfm

@@ -77,8 +77,8 @@ struct PointSink {
     SurfacePoints& points = active.is_interface(surface) ? rule.interfaces : rule.boundary;
     points.add(dimension, world(point), frame ? frame->rotate(normal) : normal, weight * at.stretch,
                active.numbers[surface]);
-    if (!active.is_interface(surface))
-      sums.add(&CellMeasure::boundary, world(point), weight * at.stretch);
+    sums.add(active.is_interface(surface) ? &CellMeasure::interfaces : &CellMeasure::boundary,
+             world(point), weight * at.stretch);
   }
 };
 
@@ -217,6 +217,7 @@ void add_cell_rule(const Box& box, const ActiveSet& active, const CellRuleOption
   if (!options.compare_orders) return;
   rule.order_difference.volume += difference(&CellMeasure::volume, rule);
   rule.order_difference.boundary += difference(&CellMeasure::boundary, rule);
+  rule.order_difference.interfaces += difference(&CellMeasure::interfaces, rule);
 }
 
 }  // namespace rfm

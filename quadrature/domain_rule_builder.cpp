@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "quadrature/cell_surfaces.hpp"
 #include "quadrature/compression.hpp"
 #include "quadrature/cut_cell.hpp"
@@ -13,6 +14,20 @@
 #include "quadrature/rule_parts.hpp"
 
 namespace rfm {
+
+namespace {
+
+void check(const SubdivisionOptions& options) {
+  if (options.max_work <= 0) throw InvalidArgument("the work for a cell is positive");
+  for (const int depth : options.max_depth)
+    if (depth < 0) throw InvalidArgument("the depth of bisections is not negative");
+  for (const double flatness : options.flatness)
+    if (!(flatness >= 0 && flatness <= 1)) throw InvalidArgument("flatness lies between 0 and 1");
+  if (!(options.flatness_decay > 0 && options.flatness_decay <= 1))
+    throw InvalidArgument("the decay of flatness lies between 0 and 1");
+}
+
+}  // namespace
 
 class DomainRuleBuilder {
  public:
@@ -29,6 +44,10 @@ class DomainRuleBuilder {
     gauss_legendre(options.inside_points);
     gauss_legendre(options.cut_points);
     for (const Grading& grading : options.gradings) check(grading);
+    check(options.subdivision);
+    for (const auto& places : options.breakpoints)
+      for (const double place : places)
+        if (!std::isfinite(place)) throw InvalidArgument("a breakpoint is a finite number");
     for (int axis = 0; axis < grid.dimension(); ++axis)
       spacing_ = std::max(spacing_, grid.largest_width(axis));
   }
@@ -177,6 +196,7 @@ class DomainRuleBuilder {
         report.uncertified += cell.report.uncertified;
         report.order_difference.volume += cell.report.order_difference.volume;
         report.order_difference.boundary += cell.report.order_difference.boundary;
+        report.order_difference.interfaces += cell.report.order_difference.interfaces;
         report.cells.push_back(cell.report);
         rule_.states_[cell.report.cell] = cell.state;
         if (cell.state != CellState::cut) continue;

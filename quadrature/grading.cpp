@@ -145,7 +145,11 @@ void check(const Grading& grading) {
     throw InvalidArgument("a grading has 0 to 60 levels");
   if (!(grading.ratio > 0 && grading.ratio < 1))
     throw InvalidArgument("the ratio of a grading lies between 0 and 1");
-  if (!(grading.reach >= 0)) throw InvalidArgument("the reach of a grading is not negative");
+  if (!(grading.reach >= 0 && std::isfinite(grading.reach)))
+    throw InvalidArgument("the reach of a grading is finite and not negative");
+  for (const Point& point : {grading.from, grading.to})
+    if (!std::isfinite(point[0] + point[1] + point[2]))
+      throw InvalidArgument("the ends of a grading are finite");
 }
 
 Grading towards_curve(const std::vector<Field>& functions, int dimension, int levels) {

@@ -55,7 +55,7 @@ Grading towards_curve(const std::vector<Field>& functions, int dimension, int le
 /// where an integrand is infinite.
 bool lies_on(const Grading& grading, int dimension, const Point& point);
 
-/// Throws `InvalidArgument` unless 0 ≤ levels ≤ 60, 0 < ratio < 1 and reach ≥ 0.
+/// Throws `InvalidArgument` unless 0 ≤ levels ≤ 60, 0 < ratio < 1, reach ≥ 0, all finite.
 void check(const Grading& grading);
 
 /// Calls `visit` for the parts into which gradings split `box`, one after the other; for the box

@@ -33,7 +33,7 @@ std::span<const double> transfer_from(int points) {
 
 void MomentSink::surface_point(const ActiveSet& active, int surface, bool, const Point& point,
                                int height, double weight) {
-  if (active.numbers[surface] == ActiveSet::no_piece || active.is_interface(surface)) return;
+  if (active.numbers[surface] == ActiveSet::no_piece) return;
   Point gradient{};
   active.surfaces[surface]->value_and_gradient(point, gradient);
   surface_point(active, surface, point, gradient, height, weight);
@@ -41,10 +41,11 @@ void MomentSink::surface_point(const ActiveSet& active, int surface, bool, const
 
 void MomentSink::surface_point(const ActiveSet& active, int surface, const Point& point,
                                const Point& gradient, int height, double weight) {
-  if (active.numbers[surface] == ActiveSet::no_piece || active.is_interface(surface)) return;
+  if (active.numbers[surface] == ActiveSet::no_piece) return;
   const double measure = weight * SurfaceStretch(gradient, dimension, height, steepest).stretch;
   if (std::isfinite(measure + point[height]))
-    sums.add(&CellMeasure::boundary, world(point), measure);
+    sums.add(active.is_interface(surface) ? &CellMeasure::interfaces : &CellMeasure::boundary,
+             world(point), measure);
 }
 
 OrderComparison::OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first)

@@ -315,6 +315,25 @@ TEST(DomainRule, RegionAndGridOfDifferentDimensionAreRefused) {
   EXPECT_THROW(make_domain_rule(RegionEvaluator(disk(0, 0, 1)), grid(1, 4, 1)), InvalidArgument);
 }
 
+TEST(DomainRule, OptionsThatMakeNoSenseAreRefused) {
+  const auto expect_refused = [](auto&& change) {
+    QuadratureOptions options;
+    change(options);
+    EXPECT_THROW(make_domain_rule(RegionEvaluator(disk(0, 0, 1)), grid(1, 4), options),
+                 InvalidArgument);
+  };
+  expect_refused([](auto& options) { options.subdivision.max_work = 0; });
+  expect_refused([](auto& options) { options.subdivision.max_depth[1] = -1; });
+  expect_refused([](auto& options) { options.subdivision.flatness[1] = NAN; });
+  expect_refused([](auto& options) { options.subdivision.flatness_decay = 0; });
+  expect_refused([](auto& options) { options.breakpoints[0] = {NAN}; });
+  expect_refused([](auto& options) { options.gradings = {Grading{{NAN, 0, 0}, {0, 0, 0}}}; });
+  expect_refused([](auto& options) {
+    options.gradings = {Grading{}};
+    options.gradings[0].reach = INFINITY;
+  });
+}
+
 TEST(DomainRule, NumbersOfPointsOutOfRangeAreRefused) {
   QuadratureOptions options;
   options.cut_points = 0;

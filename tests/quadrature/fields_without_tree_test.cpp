@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/contour_distance.hpp"
 #include "core/evaluate.hpp"
 #include "core/exact_distances.hpp"
 #include "core/expression_text.hpp"
@@ -46,6 +47,21 @@ TEST(FieldsWithoutTree, OffsetOfAnEllipseByItsParallelCurve) {
   EXPECT_EQ(less.report().uncertified.boxes, 0);
   EXPECT_NEAR(less.measure(), area - perimeter * offset + pi * offset * offset, 1e-9);
   EXPECT_NEAR(less.boundary_measure(), perimeter - 2 * pi * offset, 1e-7);
+}
+
+// Of a polygon whose distance bounds tell no slopes: a best effort, and said so, but no side is
+// lost.
+TEST(FieldsWithoutTree, TheOffsetOfATriangleHasAllOfItsSides) {
+  CurvedContour contour;
+  contour.points = {{0, 0}, {2, 0}, {1, 1.5}};
+  const double perimeter = 2 + 2 * std::sqrt(3.25), offset = 0.2;
+  const Region region = region_of(contour_distance({contour}) + offset, 2);
+  QuadratureOptions options;
+  options.subdivision.max_work = 200'000;
+  const DomainRule rule = make_domain_rule(RegionEvaluator(region), grid(2.5, 8), options);
+  EXPECT_GT(rule.report().uncertified.boxes, 0);
+  EXPECT_NEAR(rule.measure(), 1.5 + perimeter * offset + pi * offset * offset, 1e-4);
+  EXPECT_NEAR(rule.boundary_measure(), perimeter + 2 * pi * offset, 1e-3);
 }
 
 // In space the volume is a cubic of the offset, its slope the surface.
