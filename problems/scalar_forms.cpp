@@ -102,9 +102,18 @@ std::vector<Form> natural_forms(const PieceCondition& condition,
 
 Form value_residual(const PieceCondition& condition, const ScalarCoefficients& coefficients,
                     const std::vector<Field>& normal, double h) {
-  const Field u = unknown_symbol(0, static_cast<int>(normal.size()));
-  return Form::least_squares({normal_conductivity(coefficients, normal) * (u - condition.data[0])},
-                             {1 / (h * h * h)}, form_place(condition));
+  const int dimension = static_cast<int>(normal.size());
+  const Field u = unknown_symbol(0, dimension);
+  // As large as what conduction, or where there is little of it the flow, makes of an error of the
+  // value in the cells at the boundary.
+  Field size = normal_conductivity(coefficients, normal);
+  if (!coefficients.advection.empty()) {
+    Field square = 0.0;
+    for (const Field& component : coefficients.advection) square = square + component * component;
+    size = size + h * held(sqrt(square), dimension);
+  }
+  return Form::least_squares({size * (u - condition.data[0])}, {1 / (h * h * h)},
+                             form_place(condition));
 }
 
 }  // namespace rfm

@@ -10,9 +10,11 @@
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/collocation.hpp"
+#include "solvers/equations.hpp"
 #include "solvers/free_functions.hpp"
 #include "solvers/greville_collocation.hpp"
 #include "solvers/kernel.hpp"
+#include "solvers/solution.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
@@ -34,6 +36,29 @@ Eigen::VectorXd solved_stop(const ContinuationStop& stop,
   } catch (const ComputationError& error) {
     throw ComputationError("at " + stop.name + ": " + error.what());
   }
+}
+
+// As many equations as unknowns hold, whatever the solution is between the points.
+void note_residual_between_points(const std::vector<Structure>& structures,
+                                  const std::vector<TensorProductSpace>& functions,
+                                  const std::vector<Form>& equations, const NewtonSolution& found,
+                                  ScalarSolution& solution) {
+  constexpr double much = 0.1;
+  std::vector<Structure> changes;
+  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
+  const auto size_at = [&](const std::vector<Field>& components) {
+    return collocate(equations, components, changes, functions, solution.rule)
+        .right_hand_side.norm();
+  };
+  const double residual =
+      size_at(solution_fields(structures, functions, found.linear.coefficients));
+  const double load = size_at(solution_fields(
+      structures, functions, Eigen::VectorXd::Zero(found.linear.coefficients.size())));
+  if (residual > much * load)
+    solution.notes.push_back(
+        fmt::format("warning: between the points of collocation the residuals are {:.2g} of the "
+                    "loads: a finer grid, a lower degree or Gauss points (solver.points) may help",
+                    residual / load));
 }
 
 }  // namespace
@@ -77,6 +102,7 @@ void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
           "structure has more functions than unknowns: enforce conditions weakly (enforce: weak), "
           "or take Gauss points");
     newton = solve_greville(structures, functions, equations, region_, solution.rule, options);
+    note_residual_between_points(structures, functions, equations, newton, solution);
   }
   if (!newton.iterations.empty()) solution.linearity = Linearity::none;
   solution.newton_order = newton.order();

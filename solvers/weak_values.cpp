@@ -47,8 +47,18 @@ Form weak_values(const Form& volume, int component, const Field& g,
                         std::move(place));
   }
   const Field test = test_symbol(component, dimension);
+  // Where the flow enters, values are carried in by it, and hold however little is conducted.
+  Field transport = 0.0;
+  for (int i = 0; i < dimension; ++i)
+    transport =
+        transport +
+        product_or_nothing(
+            held(volume.tangent({component, {}}, {component, unit_index(i)}, dimension), dimension),
+            normal[i]);
+  const Field inflow =
+      transport.is_constant(0) ? Field(0.0) : max(-1.0 * transport, Field(0.0)) * difference * test;
   return Form::weak(
-      penalty * stiffness * difference * test - flux * test - change_of_test * difference,
+      inflow + penalty * stiffness * difference * test - flux * test - change_of_test * difference,
       std::move(place));
 }
 

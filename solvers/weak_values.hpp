@@ -13,6 +13,8 @@ namespace rfm {
 ///
 ///     −q(u) v − (∂q/∂d(u) · d(v)) (u_c − g) + penalty k (u_c − g) v,
 ///
+/// with |b·n|₋ (u_c − g) v beside it in weak forms with b·∇u_c v, so that values hold on the inflow
+/// however small k is (b that stands at the derivatives of v is not covered);
 /// the derivative of −q (u_c − g) + ½ penalty k (u_c − g)², but for that of k, where the volume has
 /// an energy.
 /// Consistent, so of full order, also for nonlinear fluxes. There k and ∂q/∂d are held
