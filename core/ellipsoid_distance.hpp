@@ -11,8 +11,8 @@ class EllipsoidDistance final : public FieldSource {
 
   void evaluate(const std::array<const double*, 3>& coordinates, int count, int variables,
                 int order, double* jets, int stride) const override;
-  /// Slopes by the multiplier t, which grows with every |x_i|: −p / |p| with p_i = x_i / (t + a_i²);
-  /// the value by that at the centre and the slopes.
+  /// Slopes by the multiplier t, which grows with every |x_i|: −p / |p| with p_i = x_i / (t +
+  /// a_i²); the value by that at the centre and the slopes.
   FunctionBounds bounds(const Box& box) const override;
   std::vector<double> breakpoints(int axis) const override;
   Box valid() const override;
