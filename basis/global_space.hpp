@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include <array>
 
-#include "core/box.hpp"
+#include "core/field_source.hpp"
 #include "core/multi_index.hpp"
 
 namespace rfm {
@@ -30,6 +32,15 @@ class GlobalSpace {
                         const MultiIndex& derivative, double* values) const = 0;
   /// Where functions may be evaluated.
   virtual Box valid() const = 0;
+  /// Rigorous bounds of Σ c_i f_i and its slopes over a box within that of `valid`. A space that
+  /// does not override this tells nothing, and its combinations serve as data, not as geometry.
+  virtual FunctionBounds bounds(std::span<const double>, const Box&) const {
+    FunctionBounds nothing;
+    nothing.value = Interval::entire();
+    nothing.gradient.fill(Interval::entire());
+    nothing.smooth = false;
+    return nothing;
+  }
 };
 
 }  // namespace rfm

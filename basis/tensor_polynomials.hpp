@@ -33,6 +33,9 @@ class TensorPolynomials final : public GlobalSpace {
   void evaluate(const std::array<const double*, 3>& coordinates, int count,
                 const MultiIndex& derivative, double* values) const override;
   Box valid() const override { return box_; }
+  /// By the polynomial's own powers about the centre of the box: of second order, exact where it is
+  /// linear. Of sines and cosines nothing is told.
+  FunctionBounds bounds(std::span<const double> coefficients, const Box& box) const override;
 
   /// The functions of one variable and their derivatives up to `order` at ξ:
   /// values[f + k * count], count = `line_size()`.

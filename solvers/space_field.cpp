@@ -41,12 +41,20 @@ void SpaceField::evaluate(const std::array<const double*, 3>& coordinates, int c
     }
 }
 
-FunctionBounds SpaceField::bounds(const Box&) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  FunctionBounds bounds;
-  bounds.value = {-infinity, infinity};
-  bounds.gradient.fill({-infinity, infinity});
-  return bounds;
+FunctionBounds SpaceField::bounds(const Box& box) const {
+  const Box valid = space_->valid();
+  for (int axis = 0; axis < valid.dimension; ++axis) {
+    const double tolerance = 1e-9 * valid.length(axis);
+    if (box.low[axis] >= valid.low[axis] - tolerance &&
+        box.high[axis] <= valid.high[axis] + tolerance)
+      continue;
+    FunctionBounds nothing;  // outside there are no numbers
+    nothing.value = Interval::entire();
+    nothing.gradient.fill(Interval::entire());
+    nothing.smooth = false;
+    return nothing;
+  }
+  return space_->bounds(coefficients_, box);
 }
 
 std::vector<double> SpaceField::breakpoints(int) const { return {}; }

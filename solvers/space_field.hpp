@@ -9,8 +9,7 @@
 namespace rfm {
 
 /// A linear combination Σ c_i f_i of the functions of a space as a field. It gives NaN outside the
-/// box where these are valid (farther than 10⁻⁹ of a side). Its bounds are those of the real line:
-/// nothing is known of the functions between points.
+/// box where these are valid (farther than 10⁻⁹ of a side). Its bounds are what the space tells.
 class SpaceField final : public FieldSource {
  public:
   /// Throws `InvalidArgument` on a wrong number of coefficients.

@@ -1,6 +1,8 @@
 #include "basis/tensor_polynomials.hpp"
 
 #include <gmock/gmock.h>
+#include <array>
+#include <random>
 
 #include <cmath>
 
@@ -85,6 +87,65 @@ TEST(TensorPolynomials, AreAsManyAsTheirDegreeSays) {
 TEST(TensorPolynomials, NeedADegreeAndABox) {
   EXPECT_THROW(TensorPolynomials(oblong, {Kind::power, -1, true}), InvalidArgument);
   EXPECT_THROW(TensorPolynomials({1, {2}, {2}}, {Kind::power, 1, true}), InvalidArgument);
+}
+
+// Values and slopes of random combinations at random points of random boxes.
+TEST(TensorPolynomials, BoundsHoldAndAreOfSecondOrder) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const std::array<MultiIndex, 4> derivatives{MultiIndex{}, unit_index(0), unit_index(1),
+                                              unit_index(2)};
+  for (const auto kind : {PolynomialFamily::Kind::legendre, PolynomialFamily::Kind::chebyshev,
+                          PolynomialFamily::Kind::power})
+    for (const int dimension : {1, 2, 3}) {
+      const Box whole{dimension, {-1, 0, 2}, {2, 1, 5}};
+      const TensorPolynomials space(whole, {kind, dimension == 3 ? 5 : 9, dimension != 2});
+      std::vector<double> coefficients(static_cast<std::size_t>(space.size()));
+      for (double& c : coefficients) c = uniform(generator);
+      double width = 0;
+      for (const double side : {0.3, 0.03, 0.003}) {
+        double largest = 0;
+        for (int repetition = 0; repetition < 20; ++repetition) {
+          Box box{dimension, {}, {}};
+          for (int axis = 0; axis < dimension; ++axis) {
+            const double t = 0.5 * (1 - side) * (1 + uniform(generator));
+            box.low[axis] = whole.low[axis] + t * whole.length(axis);
+            box.high[axis] = box.low[axis] + side * whole.length(axis);
+          }
+          const FunctionBounds bounds = space.bounds(coefficients, box);
+          EXPECT_TRUE(bounds.smooth);
+          double least = INFINITY, most = -INFINITY;
+          for (int sample = 0; sample < 40; ++sample) {
+            Point at{};
+            for (int axis = 0; axis < dimension; ++axis) {
+              const double t = sample < 8 ? (sample >> axis & 1) : 0.5 * (1 + uniform(generator));
+              at[axis] = box.low[axis] + t * (box.high[axis] - box.low[axis]);
+            }
+            const std::array<const double*, 3> coordinates{&at[0], &at[1], &at[2]};
+            std::vector<double> values(coefficients.size());
+            for (int part = 0; part <= dimension; ++part) {
+              space.evaluate(coordinates, 1, derivatives[part], values.data());
+              double sum = 0;
+              for (std::size_t f = 0; f < values.size(); ++f) sum += coefficients[f] * values[f];
+              EXPECT_TRUE((part == 0 ? bounds.value : bounds.gradient[part - 1]).contains(sum));
+              if (part == 0) least = std::min(least, sum), most = std::max(most, sum);
+            }
+          }
+          // Beyond what corners and samples show.
+          largest = std::max(largest, bounds.value.width() - (most - least));
+        }
+        if (width > 0) {
+          EXPECT_LT(largest, 0.05 * width + 1e-9);
+        }
+        width = largest;
+      }
+    }
+}
+
+TEST(TensorPolynomials, TellNothingOfSinesAndCosines) {
+  const TensorPolynomials space({1, {0}, {1}}, {PolynomialFamily::Kind::trigonometric, 2});
+  EXPECT_FALSE(space.bounds(std::vector<double>(5, 1.0), {1, {0}, {1}}).smooth);
+  EXPECT_THROW(TensorPolynomials({1, {0}, {1}}, {}).bounds({}, {1, {0}, {1}}), InvalidArgument);
 }
 
 }  // namespace
