@@ -171,6 +171,7 @@ void check(int dimension, int first, int count, std::vector<int> grids, int poin
       "%d points (%d near edges; %d astray, of weight %.1e, where %.1e is not certified)\n",
       tally.domains, tally.within, tally.refined, tally.pieces, tally.trimmed, tally.points,
       tally.near_edges, tally.astray, tally.astray_weight, tally.uncertified);
+  EXPECT_LE(tally.astray, tally.points / 10000);
   EXPECT_LE(tally.astray_weight, 1e-6);
   EXPECT_GE(tally.within, share * tally.domains);
   EXPECT_GT(tally.points, 100 * tally.domains / 2);
