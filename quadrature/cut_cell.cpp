@@ -91,10 +91,10 @@ class RuleBuilder : public PartVisitor {
         rule_(rule),
         sink_{cell.dimension,
               rule,
-              {cell, rule.moments, options.compare_orders && options.points > 3}},
+              {cell, rule.moments, options.compare_orders && options.points > 2}},
         points_(options.points, sink_),
         compare_(options.compare_orders),
-        others_(cell, rule.other_moments, options.points, options.points > 3) {}
+        others_(cell, rule.other_moments, options.points, options.points > 2) {}
 
   void full(const Box& box, const Frame* frame) override {
     rule_.is_full = !frame && box.low == cell_.low && box.high == cell_.high;
@@ -195,13 +195,17 @@ class RuleBuilder : public PartVisitor {
   OrderComparison others_;
 };
 
+// Where errors fall by a quarter or more with each point, the difference to the rule of one fewer
+// is at least a third of the error of the better one.
+constexpr double errors_in_a_difference = 3;
+
 // The largest of measure and first moments.
 double difference(double CellMeasure::*part, const CellRule& rule) {
   double largest = std::fabs(rule.moments.measure.*part - rule.other_moments.measure.*part);
   for (int axis = 0; axis < 3; ++axis)
     largest = std::max(
         largest, std::fabs(rule.moments.first[axis].*part - rule.other_moments.first[axis].*part));
-  return largest;
+  return errors_in_a_difference * largest;
 }
 
 }  // namespace

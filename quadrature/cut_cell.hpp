@@ -11,8 +11,8 @@ namespace rfm {
 struct CellRuleOptions {
   /// Gauss points per one-dimensional piece.
   int points = 6;
-  /// Whether volume and boundary are also found by the rule of two points fewer (one, of two; of
-  /// one, two more): a fifth to a half of the cost again.
+  /// Whether volume and boundary are also found by the rule of one point fewer (one more, if there
+  /// is one): a fifth to a half of the cost again.
   bool compare_orders = true;
   /// Gauss points per axis of boxes within the cell that are inside: nothing is bent there, and
   /// what serves cells inside serves smaller boxes.

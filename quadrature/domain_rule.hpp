@@ -66,8 +66,8 @@ struct QuadratureReport {
   double smallest_cut_fraction = 1;
   /// Boxes whose rule is a best effort: the order is lost in at most this measure.
   Uncertified uncertified;
-  /// Sum over cut cells of how far volume and boundary are from those by a rule of lower order, two
-  /// Gauss points fewer (of two points one, of one two more); 0 if this was not asked for.
+  /// Sum over cut cells of three times how far volume and boundary are from those by a rule of one
+  /// Gauss point fewer (of one point, one more); 0 if this was not asked for.
   CellMeasure order_difference;
   /// |∮ n·x ds / d − volume|: the divergence theorem for the field x/d, an independent check of
   /// volume rule, boundary rule and normals together.

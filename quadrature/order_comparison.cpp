@@ -7,9 +7,7 @@
 namespace rfm {
 namespace {
 
-// Two points fewer: where the errors fall by half from one number of points to the next, the
-// difference to one fewer is no more than the error. A rule of one point is compared with a better.
-int compared_points(int points) { return points > 2 ? points - 2 : points == 2 ? 1 : 3; }
+int compared_points(int points) { return points > 1 ? points - 1 : 2; }
 
 // transfer[i · points + k] is the k-th Lagrange polynomial of the rule of `points` points at node i
 // of the rule it is compared with.

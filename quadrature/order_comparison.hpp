@@ -27,7 +27,7 @@ struct MomentSink {
 };
 
 /// Volume and boundary by the Gauss rule of another order than the one of which points are kept:
-/// two points fewer (one, of two; of one, two more). All nodes are different, but the structure is
+/// one point fewer (of one, one more). All nodes are different, but the structure is
 /// the same, and where the record of the first rule shows that lines meet the same surfaces all
 /// along an interval, their crossings are found by Newton's method from the polynomial through the
 /// recorded ones, instead of from both ends of the line: two evaluations instead of five. What does

@@ -48,7 +48,7 @@ std::vector<StandardRegion> bodies() {
   return all;
 }
 
-// How much a cell of side 1 would be wrong where the rule of `points` − 2 points is made from the
+// How much a cell of side 1 would be wrong where the rule of `points` − 1 points is made from the
 // lines of the other instead of on its own.
 CellMeasure disagreement(const StandardRegion& body, int cells, int points,
                          const Interfaces& interfaces = {}) {
@@ -61,7 +61,7 @@ CellMeasure disagreement(const StandardRegion& body, int cells, int points,
       region, Grid(body.box, {cells, cells, dimension == 3 ? cells : 1}),
       [&](const Box& box, const ActiveSet& active) {
         add_cell_rule(box, active, {points, true}, subdivision, both);
-        add_cell_rule(box, active, {points - 2, false}, subdivision, alone);
+        add_cell_rule(box, active, {points - 1, false}, subdivision, alone);
         const CellMeasure a = both.other_moments.measure, b = alone.moments.measure;
         const double side = box.length(0);
         largest.volume =
@@ -73,7 +73,7 @@ CellMeasure disagreement(const StandardRegion& body, int cells, int points,
   return largest;
 }
 
-TEST(OrderComparison, IsTheRuleOfTwoPointsFewer) {
+TEST(OrderComparison, IsTheRuleOfOnePointFewer) {
   for (const StandardRegion& body : bodies())
     for (const int points : {3, 6}) {
       const CellMeasure wrong = disagreement(body, body.box.dimension == 3 ? 4 : 12, points);

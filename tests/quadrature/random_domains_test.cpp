@@ -43,7 +43,7 @@ QuadratureReport report_for(const RandomDomain& domain, const Setting& setting) 
 // By how much the report lets the identity fail. Differences of orders are estimates, not bounds.
 // The boundary in n boxes of d dimensions of total measure V is of the order n^(1/d) V^((d-1)/d).
 double announced(const QuadratureReport& report, int dimension) {
-  constexpr double safety = 20;
+  constexpr double safety = 7;
   const int boxes = report.uncertified.boxes + report.uncertified.contact_boxes;
   const double measure = report.uncertified.measure + report.uncertified.contact_measure;
   const double side = std::pow(measure / std::max(boxes, 1), 1.0 / dimension);
