@@ -64,6 +64,20 @@ TEST(StructureDerivation, ConditionsOfDifferentKindsHoldTogether) {
   EXPECT_LT(largest_deviation({u}, value, g, ring.inner_points).largest, 1e-12);
 }
 
+TEST(StructureDerivation, CorrectionsBesideSeveralValuesKeepAllOfThem) {
+  const Field x = x_coordinate(), y = y_coordinate(), edge = 2 - y;
+  const std::vector<Point> on_edge{{-1, 2}, {0.25, 2}, {1, 2}};
+  const Structure u = derived_structure({{ValueCondition{sin(x)}, ring.outer},
+                                         {ValueCondition{cos(y)}, edge},
+                                         {SlopeCondition{x * y}, ring.inner}},
+                                        {.reach = 4});
+  const auto value = [](const std::vector<Field>& v) { return v[0]; };
+  const auto slope = [&](const std::vector<Field>& v) { return along(ring.inner_normal, v[0]); };
+  EXPECT_LT(largest_deviation({u}, value, sin(x), ring.outer_points).largest, 1e-13);
+  EXPECT_LT(largest_deviation({u}, value, cos(y), on_edge).largest, 1e-13);
+  EXPECT_LT(largest_deviation({u}, slope, x * y, ring.inner_points).largest, 1e-11);
+}
+
 TEST(StructureDerivation, DerivativesMayBeCorrectionsNearTheBoundary) {
   const Field g = sin(x), c = cos(y);
   const std::vector<StructureCondition> conditions{{ValueCondition{g}, ring.outer},

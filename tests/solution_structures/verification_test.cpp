@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -42,6 +43,21 @@ TEST(Verification, SaysWhereAndForWhichFunctions) {
       worst.largest,
       std::fabs(value_at(random_solution({x * psi}, 2, 1 + unsigned(worst.trial))[0], points[1])),
       1e-15);
+}
+
+TEST(Verification, EveryTrialPutsInFunctionsOfItsOwn) {
+  const auto value = [](const std::vector<Field>& u) { return u[0]; };
+  const std::vector<Point> points{{0.25, 0.5}};
+  const auto alone = [&](unsigned seed) {
+    return largest_deviation({psi}, value, 0.0, points, {.count = 1, .seed = seed}).largest;
+  };
+  std::vector<double> largest;
+  for (unsigned seed = 1; seed <= 6; ++seed) largest.push_back(alone(seed));
+  const auto worst = std::ranges::max_element(largest);
+  const StructureDeviation all = largest_deviation({psi}, value, 0.0, points, {.count = 6});
+  EXPECT_EQ(all.largest, *worst);
+  EXPECT_EQ(all.trial, worst - largest.begin());
+  EXPECT_GT(*worst, largest.front()) << "or the first functions decide, and nothing is tested";
 }
 
 TEST(Verification, WhatIsNotANumberIsADeviation) {
