@@ -140,8 +140,6 @@ CustomPhysics read_custom(const DocumentNode& map, ValueReader& values,
     read(*mass);
     coefficients["mass"] = {{custom.formulas.back()}, false, mass->place};
     custom.formulas.pop_back();
-    if (unknowns.size() > 1)
-      values.mistakes.add("modes of several unknowns are not supported yet", mass->place);
   }
   return custom;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "solvers/eigen_pairs.hpp"
 #include "solvers/integrate.hpp"
 
@@ -38,35 +39,41 @@ Field monomial(const MultiIndex& alpha, const Box& box) {
   return product;
 }
 
-// ∫ m φ f for every function φ of the spaces, with f a monomial: its product with the masses as
-// loads.
+// ∫ m φ_c f for every function φ of the spaces, with f a monomial: the product of the masses and
+// the state whose component c is f, as loads.
 class Moments {
  public:
   Moments(const Equations& equations, const Box& box)
-      : equations_(equations), box_(box), exponents_(exponents(box.dimension)) {
+      : equations_(equations),
+        box_(box),
+        exponents_(exponents(box.dimension)),
+        components_(equations.structures().size()) {
     for (const Contribution& mass : equations.terms().mass)
       for (const QuadraticEnergy::Entry& entry : mass.energy.stiffness())
         if (entry.row == entry.column)
           total_ += integrate(entry.coefficient, equations.rule(), {mass.place, mass.numbers});
   }
 
-  std::size_t count() const { return exponents_.size(); }
+  std::size_t count() const { return exponents_.size() * components_; }
   const Eigen::VectorXd& operator[](std::size_t i) {
-    if (i == known_.size()) known_.push_back(assembled(monomial(exponents_[i], box_)));
+    if (i == known_.size())
+      known_.push_back(assembled(monomial(exponents_[i / components_], box_),
+                                 static_cast<int>(i % components_)));
     return known_[i];
   }
   /// ∫ m: moments of modes of unit mass are less than its root.
   double total() const { return total_; }
 
  private:
-  Eigen::VectorXd assembled(const Field& factor) const {
+  Eigen::VectorXd assembled(const Field& factor, int component) const {
     std::vector<Contribution> loads;
     for (const Contribution& mass : equations_.terms().mass) {
       Contribution load{{}, mass.place, mass.numbers, mass.where};
       const std::vector<Slot>& slots = mass.energy.slots();
       for (const QuadraticEnergy::Entry& entry : mass.energy.stiffness()) {
-        load.energy.add_load(slots[entry.row], entry.coefficient * factor);
-        if (entry.row != entry.column)
+        if (slots[entry.column].component == component)
+          load.energy.add_load(slots[entry.row], entry.coefficient * factor);
+        if (entry.row != entry.column && slots[entry.row].component == component)
           load.energy.add_load(slots[entry.column], entry.coefficient * factor);
       }
       loads.push_back(std::move(load));
@@ -77,6 +84,7 @@ class Moments {
   const Equations& equations_;
   Box box_;
   std::vector<MultiIndex> exponents_;
+  std::size_t components_;
   std::vector<Eigen::VectorXd> known_;
   double total_ = 0;
 };
@@ -105,11 +113,23 @@ int derivative_order(const Equations& equations) {
   return order;
 }
 
+// The lower triangle. Forms that follow from no energy may be symmetric nevertheless, as those of
+// Nitsche's method are.
+SparseMatrix symmetric(const LinearSystem& system) {
+  if (system.symmetric) return system.matrix;
+  const SparseMatrix transposed = system.matrix.transpose();
+  if ((system.matrix - transposed).norm() > 1e-10 * system.matrix.norm())
+    throw ComputationError(
+        "modes are those of a symmetric stiffness: a weak form here follows from no energy");
+  return system.matrix.triangularView<Eigen::Lower>();
+}
+
 }  // namespace
 
 std::vector<double> EigenResult::frequencies() const {
   std::vector<double> result;
-  const double size = values.empty() ? 0 : std::abs(values.back());
+  // Of a body that nothing holds all that are wanted may be 0.
+  const double size = values.empty() ? 0 : std::max(std::abs(values.back()), std::abs(upper));
   for (const double value : values)
     result.push_back(std::abs(value) < 1e-10 * size ? 0
                                                     : std::sqrt(value) / (2 * std::numbers::pi));
@@ -123,7 +143,7 @@ EigenResult find_modes(const Equations& equations, const Study& study, const Box
   options.dimension = box.dimension;
   options.order = 2 * derivative_order(equations);
   options.elimination_order = equations.steady().elimination_order;
-  const EigenPairs found = eigen_pairs(equations.stiffness(), equations.mass(), options);
+  const EigenPairs found = eigen_pairs(symmetric(equations.steady()), equations.mass(), options);
 
   EigenResult result;
   result.present = found.present;
@@ -139,7 +159,7 @@ EigenResult find_modes(const Equations& equations, const Study& study, const Box
       modes.col(static_cast<Eigen::Index>(i - first)) = found.pairs[i].vector;
     const Eigen::MatrixXd chosen = turned(modes, moments);
     for (Eigen::Index i = 0; i < chosen.cols(); ++i)
-      result.modes.push_back(equations.fields(chosen.col(i))[0]);
+      result.modes.push_back(equations.fields(chosen.col(i)));
   }
   for (const EigenPair& pair : found.pairs) {
     result.values.push_back(pair.value);

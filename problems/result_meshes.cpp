@@ -17,7 +17,8 @@ std::vector<NamedField> output_fields(const ScalarProblem& problem,
   define_results(scope, solution.results);
   std::vector<std::string> names = file.physics.unknowns;
   if (names.size() == 1) names.emplace_back("gradient");
-  for (std::size_t i = 0; i < solution.results.modes.size(); ++i) names.push_back(mode_name(i));
+  for (std::size_t i = 0; i < solution.results.modes.size(); ++i)
+    for (const std::string& part : mode_parts(solution.results, i)) names.push_back(part);
   for (const std::string& name : file.outputs.fields)
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   std::vector<NamedField> fields;

@@ -69,8 +69,11 @@ void define_results(ExpressionScope& scope, const ScalarResults& results) {
     all.push_back(field);
   }
   for (std::size_t i = 0; i < results.modes.size(); ++i) {
-    scope.define(mode_name(i), results.modes[i]);
-    all.push_back(results.modes[i]);
+    const std::vector<Field>& mode = results.modes[i];
+    scope.define(mode_name(i), mode.size() > 1 ? ExpressionValue(mode) : mode[0]);
+    for (std::size_t c = 0; c < mode.size() && mode.size() > 1; ++c)
+      scope.define(mode_name(i) + "." + results.unknowns[c].name, mode[c]);
+    all.insert(all.end(), mode.begin(), mode.end());
   }
   if (results.unknowns.size() == 1)
     define_vector(scope, "gradient", gradient(results.unknowns[0].field, results.dimension));
@@ -113,7 +116,7 @@ ScalarResults stand_in_results(const std::vector<std::string>& unknowns, bool ha
   ScalarResults results{{}, {}, dimension};
   for (const std::string& name : unknowns) results.unknowns.push_back({name, any});
   if (has_flux) results.flux.assign(static_cast<std::size_t>(dimension), any);
-  results.modes.assign(static_cast<std::size_t>(modes), any);
+  results.modes.assign(static_cast<std::size_t>(modes), std::vector<Field>(unknowns.size(), any));
   return results;
 }
 
@@ -123,12 +126,26 @@ std::vector<Field> stand_in_normal(int dimension) {
 
 std::string mode_name(std::size_t number) { return "mode" + std::to_string(number + 1); }
 
+std::vector<std::string> mode_parts(const ScalarResults& results, std::size_t number) {
+  const std::size_t count = results.unknowns.size();
+  if (count == 1 || count == static_cast<std::size_t>(results.dimension))
+    return {mode_name(number)};
+  std::vector<std::string> parts;
+  for (const auto& [name, field] : results.unknowns)
+    parts.push_back(mode_name(number) + "." + name);
+  return parts;
+}
+
 std::vector<std::string> output_names(const ScalarResults& results) {
   std::vector<std::string> names;
   for (const auto& [name, field] : results.unknowns) names.push_back(name);
   if (results.unknowns.size() == 1) names.emplace_back("gradient");
   if (!results.flux.empty()) names.emplace_back("flux");
-  for (std::size_t i = 0; i < results.modes.size(); ++i) names.push_back(mode_name(i));
+  for (std::size_t i = 0; i < results.modes.size(); ++i) {
+    names.push_back(mode_name(i));
+    if (results.unknowns.size() > 1)
+      for (const auto& [name, field] : results.unknowns) names.push_back(mode_name(i) + "." + name);
+  }
   return names;
 }
 

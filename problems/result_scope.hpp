@@ -18,7 +18,9 @@ struct ScalarResults {
   /// +k grad(u): `flux`, `flux.x`, …; empty for equations that have none.
   std::vector<Field> flux;
   int dimension = 2;
-  std::vector<Field> modes{};  ///< of an eigenproblem: `mode1`, …; u is the first
+  /// Of an eigenproblem: `mode1`, …, by unknown. Of several unknowns u, v, … a mode is the vector
+  /// of all, with the components `mode1.u`, …. The unknowns are the first.
+  std::vector<std::vector<Field>> modes{};
 };
 
 /// Adds `n`, `n.x`, `n.y`, `n.z`: the outward unit normal of a boundary, one field per dimension.
@@ -45,8 +47,12 @@ std::vector<Field> stand_in_normal(int dimension);
 
 /// The name of mode `number`, counted from 0: `mode1`.
 std::string mode_name(std::size_t number);
+/// Those of what is drawn of it: `mode1` alone if it is a number or a vector of the plane or space;
+/// else, of unknowns of any meaning, `mode1.u`, ….
+std::vector<std::string> mode_parts(const ScalarResults& results, std::size_t number);
 
-/// The results that may be written to files: the unknowns, gradient, flux, modes.
+/// The results that may be written to files: the unknowns, gradient, flux, modes and their
+/// components.
 std::vector<std::string> output_names(const ScalarResults& results);
 
 }  // namespace rfm

@@ -23,6 +23,25 @@ void copy(const Image& from, int left, int top, Image& to) {
       if (to.contains(left + x, top + y)) to.set_pixel(left + x, top + y, from.pixel(x, y));
 }
 
+// A vector of the plane or space is drawn as one; of unknowns of any meaning the largest.
+ShownField shown_mode(const ScalarSolution& solution, std::size_t number) {
+  const std::vector<Field>& mode = solution.eigen->modes[number];
+  const std::vector<std::string> parts = mode_parts(solution.results, number);
+  std::size_t largest = 0;
+  std::vector<double> sizes;
+  for (std::size_t c = 0; c < mode.size(); ++c) {
+    sizes.push_back(maximum(mode[c], solution.rule));
+    if (sizes[c] > sizes[largest]) largest = c;
+  }
+  ShownField shown;
+  shown.size = sizes[largest];
+  shown.components = parts.size() == 1 ? mode : std::vector{mode[largest]};
+  shown.name = parts.size() > 1    ? parts[largest]
+               : shown.is_vector() ? "|" + parts[0] + "|"
+                                   : parts[0];
+  return shown;
+}
+
 }  // namespace
 
 Image draw_modes(const ScalarProblem& problem, const ScalarSolution& solution,
@@ -31,16 +50,13 @@ Image draw_modes(const ScalarProblem& problem, const ScalarSolution& solution,
   const std::size_t count = std::min(eigen.modes.size(), most_shown);
   const int columns = column_count(count);
   Picture tile = picture;
-  tile.colours = Picture::Colours::diverging;
   tile.range.reset();
   tile.width = std::max(400, 2 * picture.width / columns);
   std::vector<Image> images;
   for (std::size_t i = 0; i < count; ++i) {
-    ShownField shown;
-    shown.name = mode_name(i);
+    ShownField shown = shown_mode(solution, i);
     shown.title = fmt::format("{}: {:.8g}", i + 1, eigen.values[i]);
-    shown.components = {eigen.modes[i]};
-    shown.size = maximum(eigen.modes[i], solution.rule);
+    tile.colours = shown.is_vector() ? Picture::Colours::uniform : Picture::Colours::diverging;
     images.push_back(draw_shown(problem, shown, tile, remarks));
   }
   int width = 0, height = 0;  // of the largest: numbers of colour bars differ
