@@ -45,19 +45,26 @@ struct Expansion {
 
 }  // namespace
 
-bool are_apart(const Quadric* f, const Quadric* g, const Box& box) {
-  if (!f || !g) return false;
+std::optional<SignImplication> implied_signs(const Quadric* f, const Quadric* g, const Box& box) {
+  if (!f || !g) return std::nullopt;
   const Point middle = box.center();
   double product = 0, square = 0;
   for (int axis = 0; axis < box.dimension; ++axis) {
     product += f->slope(middle, axis) * g->slope(middle, axis);
-    square += g->slope(middle, axis) * g->slope(middle, axis);
+    square += f->slope(middle, axis) * f->slope(middle, axis);
   }
   const double factor = product / square;
-  if (!std::isfinite(factor)) return false;
-  Expansion member(*f, middle);
-  member.subtract(factor, Expansion(*g, middle));
-  return member.range(box, middle).excludes_zero();
+  if (!std::isfinite(factor)) return std::nullopt;
+  Expansion member(*g, middle);
+  member.subtract(factor, Expansion(*f, middle));
+  const Interval range = member.range(box, middle);
+  if (!range.excludes_zero()) return std::nullopt;
+  const bool positive = range.low > 0;
+  return SignImplication{(factor >= 0) == positive, positive};
+}
+
+bool are_apart(const Quadric* f, const Quadric* g, const Box& box) {
+  return implied_signs(f, g, box).has_value();
 }
 
 }  // namespace rfm

@@ -4,7 +4,9 @@
 #include <memory>
 #include <numeric>
 
+#include "core/boolean_implications.hpp"
 #include "core/boolean_simplification.hpp"
+#include "core/quadric_pencil.hpp"
 
 namespace rfm {
 namespace {
@@ -13,6 +15,11 @@ namespace {
 constexpr int few_branches = 16;
 // Expressions with fewer nodes are not shortened.
 constexpr std::size_t few_nodes = 32;
+
+bool is_crowded(const std::vector<int>& primitives) {
+  return primitives.size() > static_cast<std::size_t>(TruthTable::max_variables) &&
+         primitives.size() <= static_cast<std::size_t>(Implications::most_variables);
+}
 
 // What is nowhere positive is zero at most on a set of no measure, which no rule sees.
 Truth sign_of(const LevelFunction& level, const Interval& value) {
@@ -48,7 +55,7 @@ Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluato
     signs[k] = known ? sign_by(level, *special->tape) : sign_by(level, level);
   }
   const BooleanExpression& expression = open ? *open : region.region().expression();
-  const Truth inside = expression.evaluate(std::span<const Truth>(signs));
+  Truth inside = expression.evaluate(std::span<const Truth>(signs));
   if (inside == Truth::unknown) {
     // Not std::vector<bool>: the marks are a span of bool.
     const auto relevant = std::make_unique<bool[]>(signs.size());
@@ -57,9 +64,9 @@ Truth SurfaceCandidates::narrow(const Box& box, bool tight, const RegionEvaluato
     // A tree of n leaves has 2n − 1 nodes, negations and repetitions more.
     if (expression.nodes().size() > few_nodes + 6 * primitives.size())
       open = std::make_shared<BooleanExpression>(with_known_signs(expression, known_signs()));
-  } else {
-    primitives.clear();
+    if (tight && is_crowded(primitives)) inside = drop_implied(box, region);
   }
+  if (inside != Truth::unknown) primitives.clear();
   all_interfaces.narrow(box, inside, tight, interfaces);
   if (!tight) shorten(box, region);
   return inside;
@@ -78,6 +85,33 @@ void SurfaceCandidates::shorten(const Box& box, const RegionEvaluator& region) {
     wait = pays ? 0 : boxes_to_wait;
     if (pays) tape = std::move(special);
   }
+}
+
+// Edges along a flat curve: the lines of many lie within a box however small, and each is beyond
+// others wherever it matters. To bisect would not tell them apart.
+Truth SurfaceCandidates::drop_implied(const Box& box, const RegionEvaluator& region) {
+  const int count = static_cast<int>(primitives.size());
+  Implications implications(primitives);
+  bool any = false;
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j) {
+      const auto known = implied_signs(region.level(primitives[i]).quadric(),
+                                       region.level(primitives[j]).quadric(), box);
+      if (!known) continue;
+      implications.add(i, known->of_f, j, known->of_g);
+      any = true;
+    }
+  if (!any) return Truth::unknown;
+  const BooleanExpression shorter = with_implications(
+      with_known_signs(open ? *open : region.region().expression(), known_signs()), implications);
+  if (shorter.is_constant(true)) return Truth::yes;
+  if (shorter.is_constant(false)) return Truth::no;
+  std::vector<bool> occurs(signs.size(), false);
+  for (const BooleanExpression::Node& node : shorter.nodes())
+    if (node.kind == BooleanExpression::Kind::variable) occurs[node.first] = true;
+  std::erase_if(primitives, [&](int k) { return !occurs[k]; });
+  open = std::make_shared<BooleanExpression>(shorter);
+  return Truth::unknown;
 }
 
 std::vector<Truth> SurfaceCandidates::known_signs() const {

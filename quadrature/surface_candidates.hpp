@@ -47,6 +47,9 @@ struct SurfaceCandidates {
 
  private:
   void shorten(const Box& box, const RegionEvaluator& region);
+  /// Drops primitives whose signs follow from those of others wherever they matter; returns whether
+  /// `box` is inside.
+  Truth drop_implied(const Box& box, const RegionEvaluator& region);
   /// The signs known, anything for what does not matter, and unknown for `primitives`.
   std::vector<Truth> known_signs() const;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "core/primitives.hpp"
@@ -68,6 +69,37 @@ TEST(QuadricPencil, KnowsNothingOfOtherFunctions) {
   const Quadric circle_alone = quadric_of(circle({0, 0}, 1));
   EXPECT_FALSE(are_apart(&circle_alone, nullptr, plane));
   EXPECT_FALSE(are_apart(nullptr, &circle_alone, plane));
+}
+
+// At points of the box where f has the sign named, g has the sign that follows.
+TEST(QuadricPencil, ImpliesOnlySignsThatFollow) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::array<int, 4> kinds{};
+  for (int i = 0; i < 4000; ++i) {
+    const auto any = [&] {
+      Quadric quadric;
+      for (double& entry : quadric.linear) entry = uniform(random);
+      for (double& entry : quadric.square) entry = 0.2 * uniform(random);
+      quadric.constant = 0.5 * uniform(random);
+      return quadric;
+    };
+    const Quadric f = any(), g = any();
+    const double size = 0.05 + 0.3 * std::fabs(uniform(random));
+    const Box box{3, {-size, -size, -size}, {size, size, size}};
+    const auto implied = implied_signs(&f, &g, box);
+    EXPECT_EQ(implied.has_value(), are_apart(&f, &g, box));
+    if (!implied) continue;
+    ++kinds[2 * implied->of_f + implied->of_g];
+    for (int k = 0; k < 200; ++k) {
+      const Point x{size * uniform(random), size * uniform(random), size * uniform(random)};
+      const double of_f = f.value(x), of_g = g.value(x);
+      if (implied->of_f ? of_f >= 0 : of_f <= 0) {
+        EXPECT_TRUE(implied->of_g ? of_g > 0 : of_g < 0);
+      }
+    }
+  }
+  for (const int count : kinds) EXPECT_GT(count, 50) << "each of the four kinds is met";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/polygon.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "tests/quadrature/regions.hpp"
 
@@ -53,6 +54,29 @@ TEST(FailureModes, TangentFilletsOfAStadium) {
   EXPECT_LT(fine.area, 1e-14);
   EXPECT_LT(fine.perimeter, 1e-13);
   EXPECT_EQ(fine.report.uncertified.boxes, 0);
+}
+
+// A wing's section (NACA 0012) of 1,000 edges: at its thin end the lines of twenty edges lie in a
+// box however small.
+TEST(FailureModes, ManyShortEdgesAlongANearlyStraightCurve) {
+  Contour contour;
+  constexpr int half = 500;
+  for (int i = -half; i < half; ++i) {
+    const double s = 0.5 * (1 - std::cos(pi * (half - std::abs(i)) / half));
+    const double thickness = 0.6 * (0.2969 * std::sqrt(s) - 0.126 * s - 0.3516 * s * s +
+                                    0.2843 * s * s * s - 0.1015 * s * s * s * s);
+    contour.points.push_back({s, i < 0 ? -thickness : thickness});
+  }
+  double area = 0, perimeter = 0;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    const Point &p = contour.points[i], &q = contour.points[(i + 1) % contour.points.size()];
+    area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+    perimeter += std::hypot(q[0] - p[0], q[1] - p[1]);
+  }
+  const Errors found = errors(polygon({contour}).region, std::fabs(area), perimeter, 32, 2);
+  EXPECT_LT(found.area, 1e-14);
+  EXPECT_LT(found.perimeter, 1e-13);
+  EXPECT_EQ(found.report.uncertified.boxes, 0);
 }
 
 TEST(FailureModes, CuspBetweenTwoParabolas) {
