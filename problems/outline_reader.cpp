@@ -228,8 +228,9 @@ std::optional<Outline> OutlineReader::read_stroke(const std::string& kind,
   }
   if (values_.find(node, "file") && !has_straight_edges(kind, *lists, *where)) return std::nullopt;
   const std::vector<Point>& points = lists->front().points;
-  const bool closed =
-      is_true(loop) || !width || (points.size() > 2 && points.front() == points.back());
+  const bool is_closed_drawing = lists->front().line > 0 && !lists->front().is_open;
+  const bool closed = (loop ? is_true(loop) : is_closed_drawing) || !width ||
+                      (points.size() > 2 && points.front() == points.back());
   const bool exact = is_true(values_.find(node, "exact"));
   if (kind == "polyline") return stroke_of(polyline_edges(points, closed), closed, *width, exact);
   const ArcSpline spline = arc_spline(points, closed);

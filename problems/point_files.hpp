@@ -19,8 +19,7 @@ struct PointList {
 /// Reads lists of points of the plane, as text of either kind:
 /// - two or three columns x, y, bulge, separated by commas, semicolons or blanks; empty lines
 ///   separate lists, lines that begin with `#` and one line of titles are passed over;
-/// - DXF: the entities LWPOLYLINE and POLYLINE (group codes 10, 20, 42 and 70) and CIRCLE, as two
-///   half turns. Texts, dimensions and points are passed over; what else draws a line is refused.
+/// - DXF: the polylines and circles of a drawing, see `outlines_of_drawing`.
 /// `name` stands in messages. Throws `InputError` with the line: `part.csv:3: expected a number but
 /// found 'abc'`.
 std::vector<PointList> parse_points(const std::string& text, const std::string& name);

@@ -71,8 +71,9 @@ constexpr auto rows = std::to_array<SchemaRow>({
     {"geometry.shapes.*.polygon.points[]", point, required, "A corner."},
     {"geometry.shapes.*.polygon.file", file_value, alternative,
      "A file with x,y of the corners, a line for each, or a DXF file with closed polylines (and "
-     "circles, of a curved polygon). Further "
-     "contours follow after empty lines: inside another one they are holes; their sides are "
+     "circles, of a curved polygon; what is invisible, on paper or on a frozen layer is passed "
+     "over). Further contours follow after empty lines: inside another one they are holes; their "
+     "sides are "
      "contour2, contour2_edge1, ..."},
     {"geometry.shapes.*.polygon.holes", list_value, optional, "Its holes."},
     {"geometry.shapes.*.polygon.holes[]", list_value, required, "The corners of a hole."},
@@ -106,9 +107,9 @@ constexpr auto rows = std::to_array<SchemaRow>({
      "A file with x,y of the corners, a line for each, or a DXF file with one polyline."},
     {"geometry.shapes.*.polyline.width", number_value, required, "The width of the stroke.",
      Status::works, positive},
-    {"geometry.shapes.*.polyline.closed", boolean_value, standard("false"),
+    {"geometry.shapes.*.polyline.closed", boolean_value, optional,
      "Whether it goes on from the last point to the first; so it does, too, where these are the "
-     "same."},
+     "same, and by itself where a DXF file says that it is closed."},
     {"geometry.shapes.*.polyline.exact", boolean_value, standard("false"), exact_doc},
     {"geometry.shapes.*.spline", map_value, alternative,
      "A smooth curve through points, of circular arcs with common tangents: the inside of a closed "
@@ -124,7 +125,7 @@ constexpr auto rows = std::to_array<SchemaRow>({
      positive},
     {"geometry.shapes.*.spline.closed", boolean_value, optional,
      "Whether a stroke goes on from the last point to the first; so it does, too, where these are "
-     "the same."},
+     "the same, and by itself where a DXF file says that it is closed."},
     {"geometry.shapes.*.spline.exact", boolean_value, standard("false"), exact_doc},
 
     {"geometry.shapes.*.half_space", map_value, alternative, "The space on one side of a plane.",
