@@ -75,7 +75,11 @@ bool selects_only(const BooleanExpression& conjunct, const Region& region) {
   return last.kind == Kind::variable && region.primitives()[last.first]->selects_only;
 }
 
-using Pairs = std::vector<std::pair<int, int>>;
+// Two primitives with a scale for the corner where they meet.
+struct ScaledCorner {
+  int first = 0, second = 0;
+  double scale = 1;
+};
 
 bool contains(const Factor& factor, int primitive) {
   return std::ranges::any_of(factor.literals, [&](const Factor::Literal& literal) {
@@ -86,7 +90,7 @@ bool contains(const Factor& factor, int primitive) {
 // Groups of conjuncts connected by pairs that must not multiply: those that meet at obtuse angles,
 // and those with a scale for the corner of theirs.
 std::vector<int> groups(const std::vector<Factor>& factors, SignTree& tree, bool always_multiply,
-                        const Pairs& corners) {
+                        const std::vector<ScaledCorner>& corners) {
   std::vector<int> group(factors.size());
   std::iota(group.begin(), group.end(), 0);
   const auto must_join = [&](const Factor& a, const Factor& b) {
@@ -117,7 +121,8 @@ struct JoinedConjuncts {
 };
 
 std::vector<JoinedConjuncts> joined_conjuncts(const BooleanExpression& normal, SignTree& tree,
-                                              bool always_multiply, const Pairs& corners) {
+                                              bool always_multiply,
+                                              const std::vector<ScaledCorner>& corners) {
   std::vector<Factor> factors;
   for (const BooleanExpression& conjunct : conjuncts(normal)) {
     if (selects_only(conjunct, tree.region().region())) continue;
@@ -153,9 +158,10 @@ std::vector<JoinedConjuncts> joined_conjuncts(const BooleanExpression& normal, S
   return classes;
 }
 
-// Pairs of primitives with a scale for the corner where they meet.
-Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literals, SignTree& tree) {
-  Pairs pairs;
+// Pairs of primitives with a scale for the corner where they meet, of those that `normal` holds.
+std::vector<ScaledCorner> scaled_corners(const WeightOptions& options, const Factor& normal,
+                                         const WeightLiterals& literals, SignTree& tree) {
+  std::vector<ScaledCorner> corners;
   for (const CornerScale& corner : options.corner_scales) {
     if (!(corner.scale > 0))
       throw InvalidArgument("the scale of the corner of " + corner.first + " and " + corner.second +
@@ -163,36 +169,38 @@ Pairs scaled_corners(const WeightOptions& options, const WeightLiterals& literal
     bool meet = false;
     for (const int a : literals.named(corner.first))
       for (const int b : literals.named(corner.second)) {
-        meet = meet || a == b ||
-               contact(as_factor(BooleanExpression::variable(a)),
-                       as_factor(BooleanExpression::variable(b)), tree) != Contact::none;
         if (a == b || may_cross_within(a, b, tree))
           throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
                                 " cannot be scaled: they meet inside the region");
-        pairs.emplace_back(a, b);
+        if (!contains(normal, a) || !contains(normal, b)) continue;
+        meet = meet || contact(as_factor(BooleanExpression::variable(a)),
+                               as_factor(BooleanExpression::variable(b)), tree) != Contact::none;
+        corners.push_back({a, b, corner.scale});
       }
     if (!meet)
       throw InvalidArgument("the corner of " + corner.first + " and " + corner.second +
                             " cannot be scaled: they meet nowhere on the boundary");
   }
-  return pairs;
+  return corners;
 }
 
-// ω joined by R-equivalence with the distances of scaled corners.
-void scale_corners(Weight& weight, const WeightOptions& options, const WeightLiterals& literals,
-                   const Region& region) {
-  for (const CornerScale& corner : options.corner_scales)
-    for (const int a : literals.named(corner.first))
-      for (const int b : literals.named(corner.second)) {
-        const auto& primitives = region.primitives();
-        const Field distance = hypot(primitives[a]->function, primitives[b]->function);
-        weight.function = equivalence(weight.function, distance / corner.scale);
-        const std::string text = "hypot(omega(" + primitives[a]->name + "), omega(" +
-                                 primitives[b]->name + "))/" + number_text(corner.scale);
-        weight.formula = "rp_equivalence(" + weight.formula + ", " + text + ", 2)";
-        weight.parts.push_back({text, "R-equivalence with the distance from a corner",
-                                "analytic but at the corner; there Lipschitz"});
-      }
+// R-functions of normalised functions, joined by R-equivalence with the distances of the corners
+// that they hold, lengths as they are. (Of a product in millimetres the larger of the two would be
+// the product up to a hair's breadth from the boundary.)
+void scale_corners(Weight& weight, const BooleanExpression& joined,
+                   const std::vector<ScaledCorner>& corners, const Region& region) {
+  const Factor factor = as_factor(joined);
+  for (const auto& [a, b, scale] : corners) {
+    if (!contains(factor, a) || !contains(factor, b)) continue;
+    const auto& primitives = region.primitives();
+    const Field distance = hypot(primitives[a]->function, primitives[b]->function);
+    weight.function = equivalence(weight.function, distance / scale);
+    const std::string text = "hypot(omega(" + primitives[a]->name + "), omega(" +
+                             primitives[b]->name + "))/" + number_text(scale);
+    weight.formula = "rp_equivalence(" + weight.formula + ", " + text + ", 2)";
+    weight.parts.push_back({text, "R-equivalence with the distance from a corner",
+                            "analytic but at the corner; there Lipschitz"});
+  }
 }
 
 constexpr const char* of_a_shape = "as the function of the shape";
@@ -295,31 +303,32 @@ Weight weight(const BooleanExpression& expression, const RegionEvaluator& region
   SignTree tree(region, bounds);
   if (options.cap && may_vanish_within(LevelFunction(*options.cap, bounds.dimension), tree))
     throw InvalidArgument("the cap of a weight must be positive all over the region");
-  const Pairs corners = scaled_corners(options, literals, tree);
   const BooleanExpression normal = without_redundancy(simplified(expression, region, bounds));
+  const auto corners = scaled_corners(options, as_factor(normal), literals, tree);
   Weight result{1.0, ""};
   if (const auto* system = std::get_if<RSystem>(&options.rule)) {
     result = weight_of_system(normal, literals, *system, bounds.longest_side());
     tell_of_shaping(result, options);
-    scale_corners(result, options, literals, region.region());
+    scale_corners(result, normal, corners, region.region());
     return result;
   }
   const bool always = std::holds_alternative<ProductRule>(options.rule);
   const auto* plateau = std::get_if<PlateauRule>(&options.rule);
-  for (const auto& [joined, rule] : joined_conjuncts(normal, tree, always, corners)) {
+  const auto factors = joined_conjuncts(normal, tree, always, corners);
+  for (const auto& [joined, rule] : factors) {
     Weight factor = weight_of_group(joined, rule, literals);
+    tell_of_shaping(factor, options);
+    scale_corners(factor, joined, corners, region.region());
     if (plateau) level_off(factor, *plateau);
     result.function = result.function * factor.function;
     result.formula += (result.formula.empty() ? "" : " * ") + factor.formula;
-    result.parts.push_back(factor.parts[0]);
+    result.parts.insert(result.parts.end(), factor.parts.begin(), factor.parts.end());
   }
-  tell_of_shaping(result, options);
-  if (result.parts.size() > 1)
+  if (factors.size() > 1)
     result.parts.insert(result.parts.begin(), {result.formula,
-                                               "product of " + std::to_string(result.parts.size()) +
+                                               "product of " + std::to_string(factors.size()) +
                                                    " factors, " + reason_for_product(options.rule),
                                                "as its factors"});
-  scale_corners(result, options, literals, region.region());
   return result;
 }
 

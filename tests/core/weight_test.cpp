@@ -344,6 +344,25 @@ TEST(Weight, CornerScalesBoundItNearTheirCorner) {
   EXPECT_THROW(weight_of(three, options), InvalidArgument);
 }
 
+TEST(Weight, WithAScaledCornerIsTheSameInAnyUnitOfLength) {
+  const auto scaled = [](double unit, const CombineRule& rule) {
+    const Region plate = box({-unit, -unit}, {unit, unit}).named("b") -
+                         circle({0.3 * unit, 0.2 * unit}, 0.3 * unit).named("h");
+    WeightOptions options(rule);
+    options.corner_scales = {{"b.left", "b.top", 3}};
+    return weight_of(plate, options).function;
+  };
+  const std::vector<Point> places = {{-0.5, -0.3}, {-0.9, 0.95}, {0.9, 0}, {0.2, 0.8}};
+  for (const CombineRule& rule :
+       {CombineRule(AutomaticRule{}), CombineRule(ProductRule{}), CombineRule(RAlpha{0})}) {
+    const Field metres = scaled(1, rule), millimetres = scaled(1000, rule);
+    const auto ratio = [&](const Point& p) {
+      return value_at(millimetres, {1000 * p[0], 1000 * p[1]}) / value_at(metres, p);
+    };
+    for (const Point& place : places) EXPECT_NEAR(ratio(place) / ratio({0, -0.5}), 1, 1e-12);
+  }
+}
+
 TEST(Weight, ConjunctsAreTheOperandsOfTheOutermostConjunction) {
   const auto a = BooleanExpression::variable(0), b = BooleanExpression::variable(1),
              c = BooleanExpression::variable(2);
