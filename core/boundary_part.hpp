@@ -27,6 +27,7 @@ std::optional<double> constant_slope(const Field& function, int dimension);
 
 /// Where the outward normal of a piece lies within `angle` (radians, below π) of `direction`:
 /// n·d ≥ cos(angle). On planes all or none; on spheres and circular cylinders `where` is affine,
+/// on right circular cones affine on each nappe (|∇Q| is proportional to the height there), and
 /// elsewhere it is that of the primitive normalised by eq. (4.9), without singularities off the
 /// piece. Throws `InvalidArgument` for a direction without length.
 BoundaryPart part_with_normal(int primitive, const RegionEvaluator& region, const Point& direction,

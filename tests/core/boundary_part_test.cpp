@@ -64,6 +64,48 @@ TEST(BoundaryPart, NormalsOfCurvedSurfacesAreThoseOfTheSurface) {
     }
 }
 
+// Points of a cone and its outward normals in closed form, in metres and in millimetres, on a
+// slanted axis, far from the origin.
+TEST(BoundaryPart, NormalsOfConesChooseByTwoPlanes) {
+  for (const double unit : {1.0, 1000.0})
+    for (const double angle : {10.0, 30.0, 70.0}) {
+      const Point apex{3 * unit, -5 * unit, 7 * unit}, axis{2.0 / 3, -1.0 / 3, 2.0 / 3};
+      const Point e{1 / std::sqrt(5.0), 2 / std::sqrt(5.0), 0};
+      const Point f{axis[1] * e[2] - axis[2] * e[1], axis[2] * e[0] - axis[0] * e[2],
+                    axis[0] * e[1] - axis[1] * e[0]};
+      const Region cap = cone(apex, axis, angle * degree, 4 * unit);
+      const Point direction{1, 2, -0.5};
+      const BoundaryPart part = facing(cap, 0, direction, 50);
+      ASSERT_EQ(part.extent, Extent::some);
+      ASSERT_EQ(part.ends.size(), 2u);
+      for (const Field& end : part.ends) EXPECT_TRUE(as_quadric(end, 3)->is_affine());
+      const double s = std::sin(angle * degree), c = std::cos(angle * degree);
+      for (int turn = 0; turn < 360; turn += 7) {
+        const double x = std::cos(turn * degree), y = std::sin(turn * degree), h = 1.7 * unit;
+        Point at = apex;
+        double along = 0;
+        for (int i = 0; i < 3; ++i) {
+          at[i] += h * (axis[i] + s / c * (x * e[i] + y * f[i]));
+          along += direction[i] / std::sqrt(5.25) * (c * (x * e[i] + y * f[i]) - s * axis[i]);
+        }
+        EXPECT_NEAR(value_at(part.where, at) / h, along - std::cos(50 * degree), 1e-13);
+      }
+    }
+}
+
+TEST(BoundaryPart, AlongItsAxisAConeHasOneAngleOfTheNormal) {
+  const Region cap = cone({0.1, 0.2, 0.3}, {0, 0, -1}, 30 * degree, 4);
+  for (const double within : {59.9, 60.0, 60.1, 119.9, 130.0}) {
+    const BoundaryPart part = facing(cap, 0, {0, 0, 1}, within);  // n·d = sin 30° = cos 60°
+    ASSERT_EQ(part.extent == Extent::none, within < 60) << within;
+    if (part.extent != Extent::some) continue;
+    EXPECT_GT(value_at(part.where, {0.1, 0.2, -1}), 0) << within;
+  }
+  EXPECT_EQ(facing(cap, 0, {0, 0, 1}, 125).extent, Extent::all);  // the other nappe as well
+  EXPECT_EQ(facing(cap, 0, {0, 0, -1}, 90).extent, Extent::some);
+  EXPECT_LT(value_at(facing(cap, 0, {0, 0, -1}, 90).where, {0.1, 0.2, -1}), 0);
+}
+
 TEST(BoundaryPart, SlopeIsConstantOnPlanesSpheresAndCircularCylindersOnly) {
   const auto slope = [](const Region& region) {
     return constant_slope(region.primitives()[0]->level, 3);
