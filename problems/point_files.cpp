@@ -27,6 +27,10 @@ std::vector<PointList> parse_columns(std::string_view rest, const std::string& n
     if (words.empty()) begins = true;
     if (words.empty() || words[0].starts_with('#')) continue;
     if (std::exchange(may_be_titles, false) && !is_written_as_number(words[0])) continue;
+    if (content->find(',') != content->npos && content->find(';') != content->npos)
+      refuse(name, line,
+             "this line has commas and semicolons, which both separate numbers; expected decimal "
+             "points, as in 4.5; 1");
     if (words.size() < 2 || words.size() > 3)
       refuse(name, line,
              "expected two numbers x, y or three with a bulge but found " +

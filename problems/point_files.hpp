@@ -17,7 +17,8 @@ struct PointList {
 };
 
 /// Reads lists of points of the plane, as text of either kind:
-/// - two or three columns x, y, bulge, separated by commas, semicolons or blanks; empty lines
+/// - two or three columns x, y, bulge, separated by commas, semicolons (not both) or blanks; empty
+/// lines
 ///   separate lists, lines that begin with `#` and one line of titles are passed over;
 /// - DXF: the polylines and circles of a drawing, see `outlines_of_drawing`.
 /// `name` stands in messages. Throws `InputError` with the line: `part.csv:3: expected a number but
