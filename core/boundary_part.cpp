@@ -6,6 +6,7 @@
 
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
+#include "core/normalization_length.hpp"
 #include "core/quadric.hpp"
 #include "core/r_functions.hpp"
 
@@ -189,7 +190,7 @@ BoundaryPart part_with_normal(int primitive, const RegionEvaluator& region, cons
       const Point d{direction[0] / length, direction[1] / length, direction[2] / length};
       return part_of_cone(*q, *cone, outward_sign(primitive, region), d, std::cos(angle));
     }
-  const Field function = slope ? level : normalize(level, dimension);
+  const Field function = slope ? level : normalize_by_itself(level, dimension);
   const std::optional<Quadric> quadric = slope ? as_quadric(level, dimension) : std::nullopt;
   Field along = 0.0;
   for (int axis = 0; axis < dimension; ++axis) {

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/jet_shape.hpp"
+#include "core/normalization_length.hpp"
 
 namespace rfm {
 namespace {
@@ -74,11 +75,11 @@ Field iterated_directional_derivative(const Field& f, const std::vector<Field>& 
   return derivative;
 }
 
-Field normalize(const Field& f, int dimension, int order) {
+Field normalize(const Field& f, int dimension, int order, double length) {
   if (order < 1 || order > 4)
     throw InvalidArgument("functions are normalised to orders 1 to 4, got " +
                           std::to_string(order));
-  const Field omega = normalize(f, dimension);
+  const Field omega = normalize_within(f, length, dimension);
   if (order == 1) return omega;
   std::vector<Field> normal = gradient(omega, dimension);
   // The length of the gradient is 1 on the boundary: 1/|∇ω| as a binomial series in |∇ω|² − 1.

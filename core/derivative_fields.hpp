@@ -31,7 +31,9 @@ Field iterated_directional_derivative(const Field& f, const std::vector<Field>& 
 /// is carried out on the Taylor polynomial of ω₁ along its frozen gradient, so that jets of order
 /// m + 1 suffice where the recursion itself would need m(m+1)/2. ∇ω₁ is turned from the normal by
 /// O(ω²) only, which changes distances by O(ω⁵): hence no more than order 4. Nothing is divided by
-/// |∇ω₁|, which vanishes inside. Throws `InvalidArgument` on another order.
-Field normalize(const Field& f, int dimension, int order);
+/// |∇ω₁|, which vanishes inside. All of it happens in lengths of `length`, which may be infinite
+/// (`normalize_within`): with that of a shape or domain the result does not depend on the unit.
+/// Throws `InvalidArgument` on another order, or a length that is not positive.
+Field normalize(const Field& f, int dimension, int order, double length = 1);
 
 }  // namespace rfm

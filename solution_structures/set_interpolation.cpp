@@ -22,9 +22,11 @@ void check(const SetData& set) {
                           ": it must be larger");
 }
 
-// ω as Taylor polynomials of this order need it.
+// ω as Taylor polynomials of this order need it. The corrections of higher orders are good near the
+// set; beyond the length of their normalisation they level off, before they grow.
 Field levelled(const Field& side, int order, double length, int dimension) {
-  return order < 2 ? level_off(side, length) : normalize(level_off(side, length), dimension, order);
+  const Field omega = level_off(side, length);
+  return order < 2 ? omega : normalize(omega, dimension, order, length / 8);
 }
 
 ConditionPart part_with_value(const SetData& set, double length, int dimension) {

@@ -89,6 +89,22 @@ TEST(Normalization, IsFormula49) {
   EXPECT_NEAR(evaluate(omega, {1e8, 0}, 0, 2).derivative(0, 0), -1, 1e-15);
 }
 
+TEST(Normalization, OfAnyOrderIsTheSameInAnyUnitInLengthsOfTheShape) {
+  const auto normalized = [](double unit, int order) {
+    return normalize(ellipse({0.1 * unit, 0}, {1.5 * unit, 0.8 * unit}, 0.3).primitives()[0]->level,
+                     2, order, 0.8 * unit);
+  };
+  for (int order = 1; order <= 4; ++order)
+    for (const double unit : {1e-3, 1e3, 1e6})
+      for (const Point at : {Point{0.9, 0.2}, Point{0, 0.5}, Point{-0.2, 1.1}}) {
+        const double expected = evaluate(normalized(1, order), at, 0, 2).derivative(0, 0);
+        const Field scaled = normalized(unit, order);
+        const Point there{unit * at[0], unit * at[1]};
+        EXPECT_NEAR(evaluate(scaled, there, 0, 2).derivative(0, 0) / unit, expected, 1e-10)
+            << order << ", " << unit;
+      }
+}
+
 TEST(Normalization, ChangesSignWithEachInversion) {
   // x₁ ∧ ¬(x₂ ∨ ¬x₃): inversion degrees 0, 1 and 2 (the example of theorem 4, mended).
   const Shape s = shapes(1);

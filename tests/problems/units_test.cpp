@@ -18,6 +18,7 @@ struct Case {
   /// Geometry, sets, regions, conditions, in lengths of L.
   const char* text;
   Point probe;  ///< for L = 1
+  const char* physics = "{type: poisson, source: 1/L^2}";
 };
 
 std::ostream& operator<<(std::ostream& stream, const Case& one) { return stream << one.name; }
@@ -55,6 +56,20 @@ regions: {held: {of: a.bottom, where: 0.5*L - x}}
 conditions: [{at: a.top, value: 0}, {at: held, value: 1, enforce: structure}, {at: rest, flux: 0}]
 )",
      {0.3, 0.5, 0}},
+    {"second derivatives on several sets",
+     2,
+     R"(
+geometry:
+  shapes:
+    a: {box: {min: [0, 0], max: [3*L, 2*L]}}
+    h: {circle: {center: [1.2*L, 0.9*L], radius: 0.4*L}}
+  domain: a - h
+conditions:
+  - {at: a, value: 1 + x/L, normal_derivative: cos(2*y/L)/L, second_normal_derivative: exp(x/L)/L^2}
+  - {at: h, value: 2, normal_derivative: x/L^2, second_normal_derivative: 0}
+)",
+     {2.9, 1, 0},
+     "{type: interpolation}"},
     {"data of several sets",
      2,
      R"(
@@ -100,9 +115,9 @@ conditions: [{at: all, value: 0}]
 
 double value_in_unit(const Case& one, double unit) {
   const std::string text = fmt::format(
-      "dimension: {}\nparameters: {{L: {}}}\nphysics: {{type: poisson, source: 1/L^2}}\n"
+      "dimension: {}\nparameters: {{L: {}}}\nphysics: {}\n"
       "discretization: {{basis: {{bspline: 2, cells: 8}}}}{}",
-      one.dimension, unit, one.text);
+      one.dimension, unit, one.physics, one.text);
   const Problem file = read_problem(make_source("units.yaml", text));
   const ScalarProblem problem(file);
   const ScalarSolution solution = problem.solve(problem.grid());
