@@ -16,19 +16,27 @@ struct CellMoments {
   std::array<CellMeasure, 3> first;
 };
 
-/// Adds up the moments of a rule for `cell`.
-struct MomentSums {
-  const Box& cell;
-  CellMoments& moments;
-  bool with_first;
-
-  void add(double CellMeasure::*part, const Point& point, double weight) {
-    moments.measure.*part += weight;
-    if (!with_first) return;
-    for (int axis = 0; axis < cell.dimension; ++axis)
-      moments.first[axis].*part +=
-          weight * (2 * (point[axis] - cell.low[axis]) / cell.length(axis) - 1);
+/// Adds up the moments of a rule for a cell.
+class MomentSums {
+ public:
+  MomentSums(const Box& cell, CellMoments& moments, bool with_first)
+      : moments_(moments), axes_(with_first ? cell.dimension : 0), center_(cell.center()) {
+    for (int axis = 0; axis < axes_; ++axis) scale_[axis] = 2 / cell.length(axis);
   }
+
+  bool with_first() const { return axes_ > 0; }
+  void add(double CellMeasure::*part, const Point& point, double weight) {
+    moments_.measure.*part += weight;
+    for (int axis = 0; axis < axes_; ++axis)
+      moments_.first[axis].*part += weight * ((point[axis] - center_[axis]) * scale_[axis]);
+  }
+
+ private:
+  CellMoments& moments_;
+  /// Of which there are first moments.
+  int axes_;
+  Point center_;
+  Point scale_{};
 };
 
 /// The length of a gradient at a surface, and by how much the surface is larger there than its

@@ -92,9 +92,9 @@ class RuleBuilder : public PartVisitor {
         sink_{cell.dimension,
               rule,
               {cell, rule.moments, options.compare_orders && options.points > 2}},
-        points_(options.points, sink_),
+        points_(options.points, sink_, rule.intervals),
         compare_(options.compare_orders),
-        others_(cell, rule.other_moments, options.points, options.points > 2) {}
+        others_(cell, rule.other_moments, options.points, options.points > 2, rule.intervals) {}
 
   void full(const Box& box, const Frame* frame) override {
     rule_.is_full = !frame && box.low == cell_.low && box.high == cell_.high;
@@ -135,11 +135,11 @@ class RuleBuilder : public PartVisitor {
   template <class Add, class Compare>
   void add(const ActiveSet& active, Add&& add_to, Compare&& compare) {
     if (quality_.most_points < points_.points()) {
-      IteratedRule<PointSink> fewer(quality_.most_points, sink_);
+      IteratedRule<PointSink> fewer(quality_.most_points, sink_, rule_.intervals);
       add_to(fewer);
       if (!compare_) return;
       OrderComparison others(cell_, rule_.other_moments, quality_.most_points,
-                             sink_.sums.with_first);
+                             sink_.sums.with_first(), rule_.intervals);
       others.set_frame(sink_.frame);
       others.set_steepest(sink_.steepest);
       compare(others, nullptr);
@@ -216,7 +216,9 @@ void add_cell_rule(const Box& box, const ActiveSet& active, const CellRuleOption
   RuleBuilder builder(box, options, rule);
   // The budget is for six points along an axis: more are asked for to be exact, and paid extra.
   constexpr double usual_points = 6;
-  const double extra = std::max(1.0, std::pow(options.points / usual_points, box.dimension - 1));
+  const double extra = options.points > usual_points
+                           ? std::pow(options.points / usual_points, box.dimension - 1)
+                           : 1;
   rule.uncertified += subdivision.run(box, active, builder, extra * options.share);
   if (!options.compare_orders) return;
   rule.order_difference.volume += difference(&CellMeasure::volume, rule);

@@ -34,8 +34,9 @@ struct CellRule {
   CellMeasure order_difference;
   /// Of the last box, by both rules.
   CellMoments moments, other_moments;
-  /// Memory for the lines of a part, used again.
+  /// Memory for the lines of a part and for the intervals they stand on, used again.
   LineRecord lines;
+  SmoothIntervals intervals;
   /// The whole box is inside and nothing splits it.
   bool is_full = false;
 };

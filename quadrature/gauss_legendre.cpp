@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <string>
 
@@ -48,16 +47,21 @@ void compute(int n, StoredRule& rule) {
   rule.view = {std::span(rule.nodes).first(n), std::span(rule.weights).first(n)};
 }
 
+struct StoredRules {
+  std::array<StoredRule, max_gauss_points + 1> of;
+  StoredRules() {
+    for (int points = 1; points <= max_gauss_points; ++points) compute(points, of[points]);
+  }
+};
+
 }  // namespace
 
 const GaussRule& gauss_legendre(int points) {
   if (points < 1 || points > max_gauss_points)
     throw InvalidArgument("a Gauss rule has 1 to " + std::to_string(max_gauss_points) +
                           " points, not " + std::to_string(points));
-  static std::array<StoredRule, max_gauss_points + 1> rules;
-  static std::array<std::once_flag, max_gauss_points + 1> computed;
-  std::call_once(computed[points], [&] { compute(points, rules[points]); });
-  return rules[points].view;
+  static const StoredRules rules;
+  return rules.of[points].view;
 }
 
 }  // namespace rfm

@@ -20,7 +20,9 @@ namespace rfm {
 template <class Sink>
 class IteratedRule {
  public:
-  IteratedRule(int points, Sink& sink) : gauss_(gauss_legendre(points)), sink_(sink) {}
+  /// `intervals` is memory, used again.
+  IteratedRule(int points, Sink& sink, SmoothIntervals& intervals)
+      : gauss_(gauss_legendre(points)), sink_(sink), intervals_(intervals) {}
 
   /// The crossings of the lines of planes are written to `record`, if there is one.
   void set_record(LineRecord* record) { record_ = record; }
@@ -28,20 +30,28 @@ class IteratedRule {
   int points() const { return gauss_.size(); }
   void add_line(const ActiveSet& active, SurfaceSigns parallel, const LineSegment& line,
                 double weight, LineRecord* record = nullptr);
-  void add_plane(const Reduction2D& reduction, double weight);
+  void add_plane(const Reduction2D& reduction, double weight) {
+    add_intervals(reduction, intervals_.of_plane(reduction), weight);
+  }
+  /// A plane whose intervals were found last, by another rule.
+  void add_plane_again(const Reduction2D& reduction) {
+    add_intervals(reduction, intervals_.of_last_plane(), 1);
+  }
   void add_space(Reduction3D& reduction);
   /// Of these, what stands along the lines and across the axes.
   void add_walls(const Reduction2D& reduction, double weight);
   void add_walls(Reduction3D& reduction);
 
  private:
+  void add_intervals(const Reduction2D& reduction, const std::vector<SmoothInterval>& intervals,
+                     double weight);
   void add_wall(const Reduction2D& reduction, const Wall& wall, double weight);
   void add_wall(Reduction3D& reduction, const Wall& wall);
 
   const GaussRule& gauss_;
   Sink& sink_;
   LineRecord* record_ = nullptr;
-  SmoothIntervals intervals_;
+  SmoothIntervals& intervals_;
 };
 
 template <class Sink>
@@ -63,9 +73,11 @@ void IteratedRule<Sink>::add_line(const ActiveSet& active, SurfaceSigns parallel
 }
 
 template <class Sink>
-void IteratedRule<Sink>::add_plane(const Reduction2D& reduction, double weight) {
+void IteratedRule<Sink>::add_intervals(const Reduction2D& reduction,
+                                       const std::vector<SmoothInterval>& intervals,
+                                       double weight) {
   if (record_) record_->begin_section();
-  for (const SmoothInterval& interval : intervals_.of_plane(reduction)) {
+  for (const SmoothInterval& interval : intervals) {
     if (record_) record_->begin_strip(interval);
     for (int k = 0; k < gauss_.size(); ++k)
       add_line(reduction.active(), reduction.vertical(),

@@ -79,7 +79,27 @@ double polished_root(const Surface& surface, const LineSegment& line, const Ends
   return bracketed_root(along, line.low, line.high, ends.value_low, ends.value_high);
 }
 
+// What the values at the ends of a segment tell; the position is that of an end.
+Crossing between_ends(const LineSegment& line, double value_low, double value_high, Truth low,
+                      Truth high) {
+  Crossing crossing;
+  crossing.starts_positive = low == Truth::unknown ? value_low >= 0 : low == Truth::yes;
+  crossing.exists =
+      crossing.starts_positive != (high == Truth::unknown ? value_high >= 0 : high == Truth::yes);
+  constexpr double rounding = 1e-11;
+  const double size_low = std::fabs(value_low), size_high = std::fabs(value_high);
+  crossing.at_end = size_low <= rounding * size_high || size_high <= rounding * size_low;
+  crossing.position = size_low < size_high ? line.low : line.high;
+  return crossing;
+}
+
 }  // namespace
+
+Crossing find_end_signs(const Surface& surface, const LineSegment& line, Truth low, Truth high) {
+  work_done += surface.cost().crossing;
+  return between_ends(line, surface.value(line.at(line.low)), surface.value(line.at(line.high)),
+                      low, high);
+}
 
 Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth low, Truth high) {
   work_done += surface.cost().crossing;
@@ -88,19 +108,9 @@ Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth lo
   const double value_low = surface.value_and_slope(point, line.axis, slope_low);
   point[line.axis] = line.high;
   const double value_high = surface.value(point);
-  Crossing crossing;
-  const bool computed_low = value_low >= 0, computed_high = value_high >= 0;
-  crossing.starts_positive = low == Truth::unknown ? computed_low : low == Truth::yes;
-  crossing.exists =
-      crossing.starts_positive != (high == Truth::unknown ? computed_high : high == Truth::yes);
-  constexpr double rounding = 1e-11;
-  const double size_low = std::fabs(value_low), size_high = std::fabs(value_high);
-  crossing.at_end = size_low <= rounding * size_high || size_high <= rounding * size_low;
+  Crossing crossing = between_ends(line, value_low, value_high, low, high);
   // Where the values do not show the crossing it is at an end.
-  if (!crossing.exists || computed_low == computed_high) {
-    crossing.position = size_low < size_high ? line.low : line.high;
-    return crossing;
-  }
+  if (!crossing.exists || (value_low >= 0) == (value_high >= 0)) return crossing;
   const double length = line.high - line.low;
   const QuadricEvaluator* const quadric = surface.quadric();
   const double curve = quadric ? quadric->square[Quadric::square_index(line.axis, line.axis)]

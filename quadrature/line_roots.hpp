@@ -52,6 +52,9 @@ struct Crossing {
 Crossing find_crossing(const Surface& surface, const LineSegment& line, Truth low = Truth::unknown,
                        Truth high = Truth::unknown);
 
+/// The same, but for the position, which is that of an end.
+Crossing find_end_signs(const Surface& surface, const LineSegment& line, Truth low, Truth high);
+
 /// The crossings of all surfaces with a segment, ascending, and the signs at its low end.
 struct LineRoots {
   int count = 0;

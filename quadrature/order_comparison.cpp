@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 namespace rfm {
 namespace {
@@ -12,18 +11,20 @@ int compared_points(int points) { return points > 1 ? points - 1 : 2; }
 // transfer[i · points + k] is the k-th Lagrange polynomial of the rule of `points` points at node i
 // of the rule it is compared with.
 std::span<const double> transfer_from(int points) {
-  static std::array<std::vector<double>, max_gauss_points + 1> transfers;
-  static std::array<std::once_flag, max_gauss_points + 1> computed;
-  std::call_once(computed[points], [&] {
-    const std::span<const double> from = gauss_legendre(points).nodes;
-    for (const double x : gauss_legendre(compared_points(points)).nodes)
-      for (const double node : from) {
-        double value = 1;
-        for (const double other : from)
-          if (other != node) value *= (x - other) / (node - other);
-        transfers[points].push_back(value);
-      }
-  });
+  static const auto transfers = [] {
+    std::array<std::vector<double>, max_gauss_points + 1> all;
+    for (int from_points = 1; from_points <= max_gauss_points; ++from_points) {
+      const std::span<const double> from = gauss_legendre(from_points).nodes;
+      for (const double x : gauss_legendre(compared_points(from_points)).nodes)
+        for (const double node : from) {
+          double value = 1;
+          for (const double other : from)
+            if (other != node) value *= (x - other) / (node - other);
+          all[from_points].push_back(value);
+        }
+    }
+    return all;
+  }();
   return transfers[points];
 }
 
@@ -46,15 +47,16 @@ void MomentSink::surface_point(const ActiveSet& active, int surface, const Point
              world(point), measure);
 }
 
-OrderComparison::OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first)
+OrderComparison::OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first,
+                                 SmoothIntervals& intervals)
     : gauss_(gauss_legendre(compared_points(points))),
       transfer_(transfer_from(points)),
       from_(points),
       sink_{cell.dimension, {cell, moments, with_first}},
-      rule_(compared_points(points), sink_) {}
+      rule_(compared_points(points), sink_, intervals) {}
 
 void OrderComparison::add_plane(const Reduction2D& reduction, const LineRecord* record) {
-  if (!record) return rule_.add_plane(reduction, 1);
+  if (!record) return rule_.add_plane_again(reduction);
   for (const LineRecord::Strip& strip : record->strips(0)) {
     if (strip.uniform) std::ranges::copy(record->positions(strip), recorded_.begin());
     add_strip(reduction, strip.interval, *record, strip, 1);

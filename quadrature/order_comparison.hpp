@@ -34,8 +34,9 @@ struct MomentSink {
 /// not converge to a crossing on the line, in order, is found as usual.
 class OrderComparison {
  public:
-  /// `points` is that of the recorded rule.
-  OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first);
+  /// `points` is that of the recorded rule, `intervals` those that it used last.
+  OrderComparison(const Box& cell, CellMoments& moments, int points, bool with_first,
+                  SmoothIntervals& intervals);
 
   void set_frame(const Frame* frame) { sink_.frame = frame; }
   /// See `SurfaceStretch`.

@@ -43,6 +43,41 @@ bool lies_between(const std::vector<double>& places, double from, double to) {
   return std::ranges::any_of(places, [&](double place) { return from <= place && place <= to; });
 }
 
+constexpr Signature nothing_inside = 1;
+
+// Of the line over an interval. Of one surface the signs at the ends of the line tell all.
+Signature line_signature(const Reduction2D& reduction, const LineSegment& line) {
+  const ActiveSet& active = reduction.active();
+  Signature signature = nothing_inside;
+  if (active.count == 1 && reduction.vertical() == 0) {
+    const Crossing crossing =
+        find_end_signs(*active.surfaces[0], line, line.ends[0].of(0), line.ends[1].of(0));
+    if (crossing.at_end) return SmoothInterval::unknown;
+    const bool positive = crossing.starts_positive;
+    if (active.inside(positive) || active.inside(positive != crossing.exists)) {
+      signature = something_inside;
+      extend(signature, positive);
+      extend(signature, crossing.exists);
+    }
+    return signature;
+  }
+  const LineRoots roots = find_line_roots(active, reduction.vertical(), line);
+  if (roots.at_end) return SmoothInterval::unknown;
+  walk_line(
+      active, roots, line,
+      [&](const LineEnd& from, const LineEnd& to) {
+        if (signature == nothing_inside) signature = something_inside;
+        extend(signature, from.surface);
+        extend(signature, to.surface);
+      },
+      // A face on the side of a box bounds no part of a line that has a length.
+      [&](const LineCrossing& crossing) {
+        if (signature == nothing_inside) signature = something_inside;
+        extend(signature, crossing.surface);
+      });
+  return signature;
+}
+
 }  // namespace
 
 const std::vector<SmoothInterval>& SmoothIntervals::of_plane(const Reduction2D& reduction) {
@@ -55,26 +90,10 @@ const std::vector<SmoothInterval>& SmoothIntervals::of_plane(const Reduction2D& 
 const std::vector<SmoothInterval>& SmoothIntervals::with_signatures(const Reduction2D& reduction) {
   plane_.clear();
   const auto& breakpoints = reduction.breakpoints();
-  const ActiveSet& active = reduction.active();
   for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
     SmoothInterval interval{breakpoints[i], breakpoints[i + 1]};
     if (interval.length() <= reduction.negligible_width()) continue;
-    const LineSegment line = reduction.line(interval.at(0.5));
-    const LineRoots roots = find_line_roots(active, reduction.vertical(), line);
-    Signature signature = nothing_inside;
-    walk_line(
-        active, roots, line,
-        [&](const LineEnd& from, const LineEnd& to) {
-          if (signature == nothing_inside) signature = something_inside;
-          extend(signature, from.surface);
-          extend(signature, to.surface);
-        },
-        // A face on the side of a box bounds no part of a line that has a length.
-        [&](const LineCrossing& crossing) {
-          if (signature == nothing_inside) signature = something_inside;
-          extend(signature, crossing.surface);
-        });
-    if (roots.at_end) signature = SmoothInterval::unknown;
+    const Signature signature = line_signature(reduction, reduction.line(interval.at(0.5)));
     if (signature == nothing_inside) continue;
     interval.signature = signature;
     add_interval(plane_, interval, reduction.negligible_width(), [&](double from, double to) {

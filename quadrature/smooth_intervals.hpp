@@ -31,12 +31,13 @@ class SmoothIntervals {
  public:
   /// The intervals of the base axis; the reference is valid until the next call.
   const std::vector<SmoothInterval>& of_plane(const Reduction2D& reduction);
+  /// Those that were found last.
+  const std::vector<SmoothInterval>& of_last_plane() const { return plane_; }
   /// The intervals of the outer axis. Changes the section of `reduction`.
   const std::vector<SmoothInterval>& of_space(Reduction3D& reduction);
 
  private:
   using Signature = std::uint64_t;
-  static constexpr Signature nothing_inside = 1;
 
   const std::vector<SmoothInterval>& with_signatures(const Reduction2D& reduction);
   Signature section_signature(const Reduction2D& section);

@@ -48,6 +48,23 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
 
+TEST(FindEndSigns, AreThoseOfTheCrossing) {
+  const LineSegment line{{}, 0, -1, 1};
+  for (const double place : {-2.0, -1.0, -1 - 1e-13, -0.3, 1 - 1e-13, 1.0, 4.0})
+    for (const double sign : {1.0, -1.0}) {
+      const LevelFunction level(sign * (exp(x()) - std::exp(place)), 2);
+      const Surface surface(level);
+      for (const Truth low : {Truth::unknown, Truth::yes, Truth::no}) {
+        const Crossing crossing = find_crossing(surface, line, low);
+        const Crossing ends = find_end_signs(surface, line, low, Truth::unknown);
+        EXPECT_EQ(ends.exists, crossing.exists);
+        EXPECT_EQ(ends.starts_positive, crossing.starts_positive);
+        EXPECT_EQ(ends.at_end, crossing.at_end);
+        EXPECT_EQ(ends.position, place > 0 ? 1 : -1);
+      }
+    }
+}
+
 TEST(LineRoots, PartsLieBetweenCrossings) {
   const Walk w = walk(v(0) & v(1), {x() + 0.5, 0.25 - x()});
   EXPECT_THAT(w.parts, ElementsAre(std::array{-0.5, 0.25}));
