@@ -79,6 +79,51 @@ void require_degree(const Problem& problem, const std::vector<Form>& forms) {
   }
 }
 
+// Whether a form depends on an unknown, and not by a part that is multiplied by zero; what is not
+// linear is not looked into.
+bool contains(const Form& form, int component, int dimension) {
+  const auto of_role = [&](bool test) {
+    std::vector<Slot> slots;
+    for (const SymbolSlot& slot : form.slots())
+      if ((slot.role == SymbolRole::test) == test) slots.push_back(slot.slot);
+    return slots;
+  };
+  for (const Slot& slot : of_role(false)) {
+    if (slot.component != component) continue;
+    if (!form.is_linear()) return true;
+    if (form.kind() != Form::Kind::weak && !form.residual(slot, dimension).is_constant(0))
+      return true;
+    for (const Slot& test : of_role(true))
+      if (!form.tangent(test, slot, dimension).is_constant(0)) return true;
+  }
+  return false;
+}
+
+// What no equation contains, or no equation is for, nothing determines.
+void require_every_unknown(const Problem& problem, const std::vector<Form>& forms) {
+  const DocumentNode* physics = problem.document.find("physics");
+  const DocumentNode* names = physics ? physics->find("unknowns") : nullptr;
+  const bool is_weak = problem.physics.custom->kind == CustomPhysics::Kind::weak;
+  for (std::size_t c = 0; c < problem.physics.unknowns.size(); ++c) {
+    const int component = static_cast<int>(c);
+    const bool is_contained = std::ranges::any_of(
+        forms, [&](const Form& form) { return contains(form, component, problem.dimension); });
+    const bool is_tested = std::ranges::any_of(forms, [&](const Form& form) {
+      return std::ranges::any_of(form.slots(), [&](const SymbolSlot& slot) {
+        return slot.slot.component == component && slot.role == SymbolRole::test;
+      });
+    });
+    const std::string& name = problem.physics.unknowns[c];
+    const Place& place =
+        names && c < names->items.size() ? names->items[c].place : problem.physics.custom->place;
+    if (!is_contained)
+      refuse_at(place, "no equation contains '" + name + "': nothing determines it");
+    if (is_weak && !is_tested)
+      refuse_at(place, "no part of the weak form has test(" + name +
+                           ") or its derivatives: there are fewer equations than unknowns");
+  }
+}
+
 // What is differentiated may not jump: residuals in cells do not see what it does at the jump.
 void require_continuous_coefficients(const Problem& problem, const std::vector<Form>& forms) {
   if (problem.physics.custom->kind != CustomPhysics::Kind::residuals) return;
@@ -185,7 +230,10 @@ std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) 
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
           : scalar_forms(problem, h);
   require_degree(problem.problem(), list);
-  if (problem.problem().physics.custom) require_continuous_coefficients(problem.problem(), list);
+  if (problem.problem().physics.custom) {
+    require_every_unknown(problem.problem(), list);
+    require_continuous_coefficients(problem.problem(), list);
+  }
   for (const DirichletPlan& plan : problem.dirichlet())
     for (const PieceCondition& condition : plan.weakly)
       list.push_back(weak_value(problem, condition, list[0], h));

@@ -9,6 +9,7 @@
 #include "problems/custom_physics.hpp"
 #include "problems/definition_reader.hpp"
 #include "problems/geometric_relations.hpp"
+#include "problems/lifted_results.hpp"
 #include "problems/other_problems.hpp"
 #include "problems/overrides.hpp"
 #include "problems/physics_reader.hpp"
@@ -103,6 +104,7 @@ Problem read_problem(std::shared_ptr<const SourceText> source,
   problem.document = parse_document(source);
   MistakeList mistakes;
   apply_overrides(problem.document, overrides, mistakes);
+  lift_results(problem.document);
   const SchemaMatch match = check_structure(problem.document, mistakes);
   ValueReader values(match, mistakes);
   if (const DocumentNode* dimension = values.find(problem.document, "dimension"))

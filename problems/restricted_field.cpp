@@ -58,7 +58,16 @@ void RestrictedField::evaluate(const std::array<const double*, 3>& coordinates, 
 }
 
 FunctionBounds RestrictedField::bounds(const Box& box) const {
-  return tape(region_.dimension(), 1).bounds(box);
+  Box part = box;
+  bool is_whole = true;
+  for (int axis = 0; axis < box_.dimension; ++axis) {
+    part.low[axis] = std::clamp(box.low[axis], box_.low[axis], box_.high[axis]);
+    part.high[axis] = std::clamp(box.high[axis], box_.low[axis], box_.high[axis]);
+    is_whole = is_whole && part.low[axis] == box.low[axis] && part.high[axis] == box.high[axis];
+  }
+  FunctionBounds bounds = tape(region_.dimension(), 1).bounds(part);
+  if (!is_whole) bounds.smooth = false;  // where it does not exist it is not differentiable
+  return bounds;
 }
 
 std::vector<double> RestrictedField::breakpoints(int axis) const {

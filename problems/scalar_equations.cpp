@@ -99,7 +99,13 @@ void require_own_mass(const Problem& problem, const Contribution& mass, const Do
 Equations ScalarProblem::equations(const DomainRule& rule, const Grid& grid) const {
   const bool eigen = problem_.study.type == Study::Type::eigen;
   EquationTerms terms;
-  if (problem_.physics.custom) {
+  if (!eigen && uses_forms(*this)) {
+    for (const Form& form : problem_forms(*this, rule.grid()))
+      if (form.is_linear())
+        terms.stiffness.push_back(form.linear());
+      else
+        terms.forms.push_back(form);
+  } else if (problem_.physics.custom) {
     const Problem& file = problem_;
     for (const Form& form : problem_forms(*this, rule.grid()))
       terms.stiffness.push_back(quadratic(form, file));

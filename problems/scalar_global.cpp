@@ -43,79 +43,12 @@ void note_dependence(const Discretization& discretization, ScalarSolution& solut
         solution.linear.dependent, solution.unknowns, solution.linear.smallest_eigenvalue));
 }
 
-// Forms of any kind, in spaces of functions of the whole domain.
-class GlobalForms {
- public:
-  GlobalForms(const ScalarProblem& problem, const GlobalSpaces& spaces, const DomainRule& rule)
-      : forms_(problem_forms(problem, rule.grid())),
-        spaces_(spaces),
-        rule_(rule),
-        solution_(problem.structures(rule.grid()), spaces, {}, rule) {
-    for (const Structure& structure : solution_.structures())
-      changes_.push_back(homogeneous_part(structure));
-  }
-
-  FreeFunctions candidates() const { return FreeFunctions(solution_.structures(), spaces_); }
-
-  const std::vector<Form>& forms() const { return forms_; }
-  std::vector<Field> fields(const Eigen::VectorXd& coefficients) const {
-    return solution_.fields(coefficients);
-  }
-  // Of forms that are linear: the system of the solution itself.
-  LinearSystem linear() const {
-    std::vector<Contribution> parts;
-    for (const Form& form : forms_)
-      parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
-    return assemble_dense(solution_.structures(), spaces_, parts, rule_);
-  }
-  // Minus the residual where the whole solution is zero; nothing if data do not make it another
-  // one than the start, or where it has no value.
-  Eigen::VectorXd loads() const {
-    const bool has_data = std::ranges::any_of(
-        solution_.structures(),
-        [](const Structure& structure) { return !structure.inhomogeneous().is_constant(0); });
-    if (!has_data) return {};
-    try {
-      std::vector<Contribution> parts;
-      const std::vector<Field> zero(changes_.size(), 0.0);
-      for (const Form& form : forms_) parts.push_back(form.linearized(zero));
-      return assemble_dense(changes_, spaces_, parts, rule_).right_hand_side;
-    } catch (const ComputationError&) {  // not defined there, as a logarithm
-      return {};
-    }
-  }
-  // Tangent, and minus the residual; what is held may be so at another state.
-  LinearSystem linearized(const Eigen::VectorXd& coefficients,
-                          const Eigen::VectorXd* held = nullptr) const {
-    const std::vector<Field> fields = this->fields(coefficients);
-    std::vector<Field> held_fields;
-    if (held) held_fields = this->fields(*held);
-    std::vector<Contribution> parts;
-    for (const Form& form : forms_) parts.push_back(form.linearized(fields, held_fields));
-    return assemble_dense(changes_, spaces_, parts, rule_);
-  }
-
- private:
-  std::vector<Form> forms_;
-  const GlobalSpaces& spaces_;
-  const DomainRule& rule_;
-  Equations solution_;
-  std::vector<Structure> changes_;
-};
-
-NewtonSolution solved(const GlobalForms& forms, const LinearSolverOptions& linear,
-                      const NewtonOptions& options, const Eigen::VectorXd& start,
-                      const std::function<LinearSystem(const Eigen::VectorXd&)>& finer) {
-  NewtonEquations equations;
-  equations.candidates = forms.candidates().coefficients();
-  equations.finer = finer;
-  equations.loads = forms.loads();
-  equations.at = [&](const Eigen::VectorXd& state) { return forms.linearized(state); };
-  if (std::ranges::any_of(forms.forms(), &Form::holds_anything))
-    equations.beside = [&](const Eigen::VectorXd& state, const Eigen::VectorXd& held) {
-      return forms.linearized(state, &held);
-    };
-  return solve_newton(equations, start, linear, options);
+// Of forms that are linear: the system of the solution itself.
+LinearSystem linear_system(const Equations& equations) {
+  std::vector<Contribution> parts;
+  for (const Form& form : equations.terms().forms)
+    parts.push_back(form.at(std::vector<Field>(form.slots().size(), 0.0)));
+  return equations.assembled(parts);
 }
 
 }  // namespace
@@ -161,24 +94,26 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
   Stopwatch solve;
   const DomainRule& rule = solution.rule;
   const GlobalSpaces spaces = global_spaces(rule.grid());
-  const GlobalForms forms(*this, spaces, rule);
+  const auto bundle = [&](const ScalarProblem& problem) {
+    return Equations(problem.structures(rule.grid()), spaces,
+                     {.stiffness = {}, .forms = problem_forms(problem, rule.grid())}, rule);
+  };
+  const Equations equations = bundle(*this);
   solution.unknowns = function_count() * spaces[0]->size();
-  solution.linearity = linearity(forms.forms(), rule);
+  solution.linearity = linearity(equations.terms().forms, rule);
   LinearSolverOptions linear = linear_options();
   linear.rank_revealing = true;
-  const FreeFunctions candidates = forms.candidates();
+  const FreeFunctions candidates(equations.structures(), spaces);
   Eigen::MatrixXd free;  // of the candidates
   std::optional<DomainRule> finer;
-  const auto finer_forms = [&] {
+  const auto finer_equations = [&] {
     if (!finer) finer = finer_rule(rule.grid());
-    return GlobalForms(*this, spaces, *finer);
-  };
-  const auto finer_tangent = [&](const Eigen::VectorXd& state) {
-    return finer_forms().linearized(state);
+    return equations.with_rule(*finer);
   };
   if (solution.linearity != Linearity::none) {
-    const LinearSystem system = forms.linear();
-    const Kernel kernel(system, candidates.coefficients(), [&] { return finer_forms().linear(); });
+    const LinearSystem system = linear_system(equations);
+    const Kernel kernel(system, candidates.coefficients(),
+                        [&] { return linear_system(finer_equations()); });
     solution.linear = rfm::solve(kernel.pinned(system), linear);
     const double missing = kernel.incompatibility(system, solution.linear.coefficients);
     if (!(missing < Kernel::largest_imbalance))
@@ -187,7 +122,7 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
     free = kernel.weights();
     if (solution.linearity == Linearity::by_value &&
         !is_linear_at(system, solution.linear.coefficients,
-                      forms.linearized(solution.linear.coefficients).right_hand_side))
+                      equations.linearized(solution.linear.coefficients).right_hand_side))
       solution.linearity = Linearity::none;
   }
   if (solution.linearity == Linearity::none) {
@@ -196,12 +131,14 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
     Eigen::VectorXd start = Eigen::VectorXd::Zero(solution.unknowns);
     for (const ContinuationStop& stop : continuation_stops(problem_)) {
       const ScalarProblem before(stop.problem);
-      start =
-          solved(GlobalForms(before, spaces, rule), linear, options, start, {}).linear.coefficients;
+      const Equations there = bundle(before);
+      start = solve_newton(newton_equations(there), start, linear, options).linear.coefficients;
     }
     NewtonSolution newton;
     try {
-      newton = solved(forms, linear, options, start, finer_tangent);
+      newton =
+          solve_newton(newton_equations(equations, {}, [&] { return finer_rule(rule.grid()); }),
+                       start, linear, options);
     } catch (const UnbalancedLoads& loads) {
       throw ComputationError(candidates.text(loads, problem_.physics.unknowns));
     }
@@ -210,14 +147,14 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
     solution.linear = std::move(newton.linear);
     const Eigen::VectorXd& state = solution.linear.coefficients;
     if (candidates.coefficients().cols() > 0)
-      free = Kernel(forms.linearized(state), candidates.coefficients(), [&] {
-               return finer_tangent(state);
+      free = Kernel(equations.linearized(state), candidates.coefficients(), [&] {
+               return finer_equations().linearized(state);
              }).weights();
   }
   note_dependence(problem_.discretization, solution);
   solution.mean_set_to_zero = free.cols() > 0;
   const std::vector<Field> fields =
-      candidates.without(free, forms.fields(solution.linear.coefficients), rule);
+      candidates.without(free, equations.fields(solution.linear.coefficients), rule);
   for (int c = 0; c < unknown_count(); ++c)
     solution.results.unknowns.push_back({problem_.physics.unknowns[c], fields[c]});
   solution.energy = energy_of_forms(*this, solution);

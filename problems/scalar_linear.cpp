@@ -1,5 +1,9 @@
 // Linear systems of a problem: how each is solved, and what the equations leave free.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
@@ -30,6 +34,30 @@ LinearSolution solve_beside_kernel(const LinearSystem& system, const FreeFunctio
   if (!(missing < Kernel::largest_imbalance))
     throw ComputationError(candidates.text(UnbalancedLoads(kernel.weights(), missing), unknowns));
   return solution;
+}
+
+// Equations that cancel, as of u^2 - u*u, are no equations: their unknown would be what it is at
+// the start.
+void require_equations(const Problem& problem, const LinearSystem& system,
+                       const std::vector<TensorProductSpace>& functions) {
+  std::vector<bool> is_touched(static_cast<std::size_t>(system.size()), false);
+  for (Eigen::Index column = 0; column < system.matrix.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(system.matrix, column); entry; ++entry)
+      if (entry.value() != 0)
+        is_touched[static_cast<std::size_t>(entry.row())] =
+            is_touched[static_cast<std::size_t>(column)] = true;
+  auto own = is_touched.begin();
+  for (std::size_t c = 0; c < problem.physics.unknowns.size(); ++c) {
+    const auto end = own + functions[c].size();
+    if (std::find(own, end, true) == end)
+      throw ProblemFileErrors({Mistake{
+          fmt::format(
+              "the equations determine nothing of '{}': what they hold of it cancels, or is a "
+              "load without a stiffness",
+              problem.physics.unknowns[c]),
+          problem.physics.custom->place}});
+    own = end;
+  }
 }
 
 }  // namespace
@@ -84,6 +112,7 @@ LinearSystem ScalarProblem::solve_linear(const std::vector<Contribution>& parts,
   Stopwatch assembly;
   const std::vector<Structure> structures = this->structures(solution.rule.grid());
   LinearSystem system = assemble(structures, functions, parts, solution.rule);
+  if (problem_.physics.custom) require_equations(problem_, system, functions);
   solution.seconds.assembly = assembly.seconds();
   Stopwatch solve;
   const std::optional<SplineExtraction> extraction =

@@ -108,6 +108,15 @@ void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
   solution.newton_order = newton.order();
   solution.newton = std::move(newton.iterations);
   solution.linear = std::move(newton.linear);
+  solution.free_at_points = std::move(newton.free);
+  constexpr double much = 0.1;
+  if (solution.free_at_points.cols() > 0 && newton.remainder > much)
+    solution.notes.push_back(fmt::format(
+        "warning: nothing fixes {}, and {:.2g} of the residuals remain: perhaps the loads on it do "
+        "not balance, and there is no solution",
+        FreeFunctions(structures, functions)
+            .text(solution.free_at_points, problem_.physics.unknowns),
+        newton.remainder));
   solution.seconds.solve += solve.seconds();
 }
 

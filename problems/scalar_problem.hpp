@@ -51,6 +51,8 @@ struct ScalarSolution {
   std::optional<double> energy{};
   double boundary_residual = 0;  ///< max |u − g| over the boundary points of value conditions
   bool mean_set_to_zero = false;
+  /// What residuals at points leave free, as weights of `FreeFunctions`.
+  Eigen::MatrixXd free_at_points{};
   /// Where a structure has several functions, which may describe nearly the same: how large a part
   /// of u the equations leave open, relative to u in L2 (an estimate by chance).
   std::optional<double> undetermined{};
@@ -118,8 +120,8 @@ class ScalarProblem {
   /// Throws `ComputationError` if there is no solution (incompatible Neumann data) or it cannot be
   /// computed.
   ScalarSolution solve(const Grid& grid) const;
-  /// The equations of an eigenproblem, which are homogeneous, or of a linear problem with an
-  /// energy, on the grid of `rule`, which must outlive them; `grid` is that of the problem.
+  /// The equations of an eigenproblem, which are homogeneous, or of a steady one, linear or not, on
+  /// the grid of `rule`, which must outlive them; `grid` is that of the problem.
   Equations equations(const DomainRule& rule, const Grid& grid) const;
 
  private:

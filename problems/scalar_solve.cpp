@@ -10,6 +10,7 @@
 #include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
 #include "problems/scalar_problem.hpp"
+#include "problems/solution_jumps.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/assembly.hpp"
 #include "solvers/energy.hpp"
@@ -69,6 +70,22 @@ LinearSystem tangent_at(const std::vector<Form>& equations, const std::vector<Fi
   std::vector<Contribution> parts;
   for (const Form& form : equations) parts.push_back(form.linearized(fields));
   return assemble(changes, functions, parts, rule);
+}
+
+// A failure at equations that jump with the solution says so.
+template <class Solve>
+void naming_jumps(const ScalarProblem& problem, const Solve& solve) {
+  try {
+    solve();
+  } catch (const ComputationError& error) {
+    const std::string jumps = jumps_with_solution(problem);
+    if (jumps.empty()) throw;
+    throw ComputationError(fmt::format(
+        "{}. The equations jump or have corners where the solution passes a value, by if, step, "
+        "sign, abs, min or max in {}: where it stays at that value they hold nowhere, and steps go "
+        "to and fro; a smooth passage, as (1 + tanh((u - c)/w))/2, has a solution",
+        error.what(), jumps));
+  }
 }
 
 }  // namespace
@@ -157,7 +174,9 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   check_compatible(solution.rule);
   if (has_global_functions()) {
     solution.results.dimension = problem_.dimension;
-    uses_forms(*this) ? solve_global_forms(solution) : solve_global_energy(solution);
+    naming_jumps(*this, [&] {
+      uses_forms(*this) ? solve_global_forms(solution) : solve_global_energy(solution);
+    });
     return solution;
   }
   const std::vector<TensorProductSpace> functions = spaces(solution.rule);
@@ -190,12 +209,14 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   };
   bool at_points =
       problem_.discretization.method == Discretization::Method::collocation || must_use_qr();
-  if (at_points)
-    solve_at_points(equations, functions, solution);
-  else if (may_use_qr())
-    at_points = solve_least_squares(equations, functions, solve_system, solution);
-  else
-    solve_system();
+  naming_jumps(*this, [&] {
+    if (at_points)
+      solve_at_points(equations, functions, solution);
+    else if (may_use_qr())
+      at_points = solve_least_squares(equations, functions, solve_system, solution);
+    else
+      solve_system();
+  });
   if (!(solution.linear.relative_residual < 1e-6))
     throw ComputationError(
         fmt::format("the system of equations could not be solved (relative residual {:.1e})",
@@ -220,6 +241,10 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
         [&] { return reduced(tangent(finer_rule(grid))); });
     solution.mean_set_to_zero = kernel.size() > 0;
     fields = candidates.without(kernel.weights(), std::move(fields), solution.rule);
+  }
+  if (at_points && !free_constant && solution.free_at_points.cols() > 0) {
+    solution.mean_set_to_zero = true;
+    fields = candidates.without(solution.free_at_points, std::move(fields), solution.rule);
   }
   solution.results.dimension = problem_.dimension;
   for (int c = 0; c < unknown_count(); ++c)

@@ -10,7 +10,9 @@
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
 #include "core/tape.hpp"
+#include "problems/scalar_forms.hpp"
 #include "problems/scalar_problem.hpp"
+#include "problems/solution_jumps.hpp"
 #include "solvers/energy.hpp"
 #include "solvers/integrate.hpp"
 #include "solvers/solution.hpp"
@@ -33,6 +35,24 @@ bool has_fluxes_only(const ScalarCoefficients& coefficients,
     // No transfer, or a = 0, where robin's flux is that of a known conductivity.
     return condition.data[0].is_constant(0) && !depend_on_solution(coefficients);
   });
+}
+
+// Whether the conductivity depends on u itself, and not on its derivatives alone.
+bool conducts_by_level(const ScalarCoefficients& coefficients, int dimension) {
+  ScalarCoefficients conduction;
+  conduction.conductivity = coefficients.conductivity;
+  if (!depend_on_solution(conduction)) return false;
+  const Form form = volume_form(conduction, dimension, false);
+  const Slot level;
+  const auto is_level = [&](const SymbolSlot& slot) {
+    return slot.role != SymbolRole::test && slot.slot == level;
+  };
+  if (std::ranges::none_of(form.slots(), is_level)) return false;
+  return std::ranges::any_of(conduction.conductivity, jumps_with_symbols) ||
+         std::ranges::any_of(form.slots(), [&](const SymbolSlot& slot) {
+           return slot.role == SymbolRole::test &&
+                  !form.tangent(slot.slot, level, dimension).is_constant(0);
+         });
 }
 
 }  // namespace
@@ -74,6 +94,12 @@ void ScalarProblem::check_compatible(const DomainRule& rule) const {
   if (problem_.physics.custom || !inner_.values.empty() ||
       !has_fluxes_only(coefficients_, conditions_))
     return;
+  if (conducts_by_level(coefficients_, problem_.dimension))
+    throw ProblemFileErrors(
+        {Mistake{"only fluxes are given, so that nothing fixes the level of u, and with a "
+                 "conductivity that contains u another level is another solution: give a value or "
+                 "a convection somewhere, or a reaction",
+                 problem_.conditions_place}});
   // ∫ f + ∫ q must vanish: the sum of all loads against the constant 1.
   double resultant = integrate(coefficients_.source, rule);
   double size = integrate(abs(coefficients_.source), rule);

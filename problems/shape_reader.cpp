@@ -5,11 +5,15 @@
 #include <limits>
 #include <numbers>
 
+#include "core/field_source.hpp"
+#include "core/graph_walk.hpp"
+#include "core/named_source.hpp"
 #include "core/nearest_name.hpp"
 #include "core/primitives.hpp"
 #include "core/r_functions.hpp"
 #include "core/regularity.hpp"
 #include "core/sector_sides.hpp"
+#include "core/source_breakpoints.hpp"
 #include "problems/exact_shapes.hpp"
 #include "problems/outline_reader.hpp"
 #include "problems/reserved_names.hpp"
@@ -32,6 +36,25 @@ bool has_side(const Region& region, const std::string& name) {
 }
 
 std::string shape_of_side(const std::string& name) { return name.substr(0, name.find('.')); }
+
+// A level of a result of another problem lies in the box of that problem, beyond which it is no
+// number.
+std::optional<Box> box_of_results(const Field& function) {
+  if (any_node(function,
+               [](const Field& part) { return part.node().operation == Operation::select; }))
+    return std::nullopt;
+  std::optional<Box> shared;
+  for (const Field::Node* node : sources_of(function)) {
+    if (!node->arguments.empty() || !dynamic_cast<const NamedSource*>(node->source.get())) continue;
+    const Box box = node->source->valid();
+    if (!shared) shared = box;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+      shared->low[axis] = std::max(shared->low[axis], box.low[axis]);
+      shared->high[axis] = std::min(shared->high[axis], box.high[axis]);
+    }
+  }
+  return shared;
+}
 
 }  // namespace
 
@@ -229,7 +252,9 @@ Region ShapeReader::build_kind(const std::string& kind, const DocumentNode& node
   if (kind == "expression") {
     const Field function = values_.field(node).value_or(x_coordinate());
     check_complements(node);
-    return level_set(function, values_.dimension);
+    const Region shape = level_set(function, values_.dimension);
+    const std::optional<Box> box = box_of_results(function);
+    return box ? shape.within(*box) : shape;
   }
   if (kind == "combine") {
     const std::optional<Region> combined = region(node);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,7 @@
 #include "solvers/basis_values.hpp"
 #include "solvers/cell_points.hpp"
 #include "solvers/equations.hpp"
+#include "solvers/free_functions.hpp"
 #include "solvers/linear_solver.hpp"
 #include "solvers/solution.hpp"
 #include "solvers/sparse_qr.hpp"
@@ -162,8 +165,76 @@ CollocationSystem collocate(std::span<const Form> forms, std::span<const Field> 
 
 namespace {
 
+// The lengths of the columns of a matrix.
+Eigen::VectorXd lengths_of(const SparseMatrix& matrix) {
+  Eigen::VectorXd lengths(matrix.cols());
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    lengths[column] = matrix.col(column).norm();
+  return lengths;
+}
+
 // To which residuals behind a step are foretold by it where they are linear.
 constexpr double linear_precision = 1e-9;
+
+// Combinations of the candidates C on which a matrix with columns of length 1 vanishes.
+class UnseenFunctions {
+ public:
+  UnseenFunctions(const SparseMatrix& matrix, const Eigen::MatrixXd& candidates)
+      : weights_(candidates.cols(), 0) {
+    if (candidates.cols() == 0) return;
+    const Eigen::VectorXd lengths = lengths_of(matrix);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factors(lengths.asDiagonal() * candidates);
+    // C B has orthonormal columns in units of the lengths.
+    const Eigen::Index count = candidates.cols();
+    const Eigen::MatrixXd back =
+        factors.matrixQR().topRows(count).triangularView<Eigen::Upper>().solve(
+            Eigen::MatrixXd::Identity(count, count));
+    if (!back.allFinite()) return;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> parts(matrix * (candidates * back),
+                                                  Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::Index unseen = (parts.singularValues().array() < nothing).count();
+    weights_ = back * parts.matrixV().rightCols(unseen);
+    pin(lengths.asDiagonal() * (candidates * weights_), lengths);
+  }
+
+  const Eigen::MatrixXd& weights() const { return weights_; }
+
+  // With the equations that hold them.
+  CollocationSystem held(CollocationSystem system) const {
+    const Eigen::Index rows = system.matrix.rows(), more = weights_.cols();
+    if (more == 0) return system;
+    Triplets entries;
+    for (Eigen::Index column = 0; column < system.matrix.cols(); ++column)
+      for (SparseMatrix::InnerIterator entry(system.matrix, column); entry; ++entry)
+        entries.emplace_back(entry.row(), column, entry.value());
+    for (Eigen::Index k = 0; k < more; ++k)
+      entries.emplace_back(rows + k, pinned_[k].first, pinned_[k].second);
+    system.matrix.resize(rows + more, system.matrix.cols());
+    system.matrix.setFromTriplets(entries.begin(), entries.end());
+    system.right_hand_side.conservativeResize(rows + more);
+    system.right_hand_side.tail(more).setZero();
+    return system;
+  }
+
+ private:
+  // Lengths of A y / y that are rounding.
+  static constexpr double nothing = 1e-11;
+
+  // The largest entry that is left, in turn.
+  void pin(Eigen::MatrixXd functions, const Eigen::VectorXd& lengths) {
+    for (Eigen::Index k = 0; k < functions.cols(); ++k) {
+      Eigen::Index row = 0, column = 0;
+      functions.cwiseAbs().maxCoeff(&row, &column);
+      pinned_.emplace_back(row, lengths[row]);
+      const Eigen::VectorXd pivot = functions.col(column) / functions(row, column);
+      const Eigen::RowVectorXd shares = functions.row(row);
+      functions -= pivot * shares;
+    }
+  }
+
+  Eigen::MatrixXd weights_;
+  std::vector<std::pair<Eigen::Index, double>> pinned_;
+};
 
 // The step, and how it was found.
 Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& report) {
@@ -179,14 +250,6 @@ Eigen::VectorXd full_step(const CollocationSystem& system, LinearSolution& repor
   LeastSquaresSolution least = least_squares_solution(system.matrix, system.right_hand_side);
   report.smallest_eigenvalue = least.smallest_singular_value;
   return std::move(least.solution);
-}
-
-// The lengths of the columns of a matrix.
-Eigen::VectorXd lengths_of(const SparseMatrix& matrix) {
-  Eigen::VectorXd lengths(matrix.cols());
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-    lengths[column] = matrix.col(column).norm();
-  return lengths;
 }
 
 // Of residuals of the size of the loads, what is rounding.
@@ -225,7 +288,12 @@ NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptio
   for (int i = 0; i < options.largest_iteration_count; ++i) {
     NewtonIteration& iteration = solution.iterations.emplace_back();
     iteration.residual = system.right_hand_side.norm();
-    const Eigen::VectorXd step = full_step(system, solution.linear);
+    const UnseenFunctions unseen(system.matrix, problem.candidates);
+    solution.free = unseen.weights();
+    const Eigen::VectorXd step = full_step(unseen.held(system), solution.linear);
+    const double load = std::max(problem.load, solution.iterations[0].residual);
+    if (load > 0)
+      solution.remainder = (system.right_hand_side - system.matrix * step).norm() / load;
     if (!problem.is_linear && iteration.residual <= rounding * problem.load) {
       solution.linear.coefficients = unknowns;
       return solution;
@@ -283,6 +351,7 @@ NewtonSolution solve_collocation(std::span<const Structure> structures,
                      rule);
   };
   problem.load = residual_load(forms, structures, spaces, rule);
+  problem.candidates = FreeFunctions(structures, spaces).coefficients();
   return solve_residuals(problem, options);
 }
 

@@ -55,6 +55,8 @@ struct ResidualProblem {
   /// The norm of the residuals where the whole solution is zero, of the size of the loads; 0 where
   /// it is not known. As in `NewtonEquations`, a start that is the solution is known by it.
   double load = 0;
+  /// What nothing may fix, as columns: `FreeFunctions`.
+  Eigen::MatrixXd candidates{};
 };
 /// `ResidualProblem::load` of residuals that are not linear; 0 where they have no value there, and
 /// where no structure has data, so that the start is zero itself.
@@ -64,7 +66,8 @@ double residual_load(std::span<const Form> forms, std::span<const Structure> str
 /// Gauss's and Newton's method from y = 0, each step by Q R, or by a factorisation with pivots
 /// where there are as many residuals as unknowns. Linear problems have no iterations. Steps are
 /// measured by what they change in the residuals, so that functions hardly seen by any point do
-/// not count.
+/// not count. Combinations of the candidates that no residual sees are held where they tell
+/// themselves best, by an equation more for each, and returned as `NewtonSolution::free`.
 NewtonSolution solve_residuals(const ResidualProblem& problem, const NewtonOptions& options);
 
 }  // namespace rfm

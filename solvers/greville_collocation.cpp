@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/grid_splines.hpp"
 #include "solvers/equations.hpp"
+#include "solvers/free_functions.hpp"
 #include "solvers/solution.hpp"
 
 namespace rfm {
@@ -66,11 +67,13 @@ NewtonSolution solve_greville(std::span<const Structure> structures,
   std::vector<CollocationPoints> points;
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   Eigen::Index rows = 0, columns = 0;
+  std::vector<Eigen::Index> inner_functions;
   for (const TensorProductSpace& space : spaces) {
     GrevilleSpace own = greville_space(space, region);
     const WebExtension web = WebExtension::of_inner(space, own.inner);
     for (const WebExtension::Entry& entry : web.entries())
       entries.emplace_back(rows + entry.function, columns + entry.inner, entry.weight);
+    for (const int function : web.inner()) inner_functions.push_back(rows + function);
     rows += space.size();
     columns += web.size();
     points.push_back(std::move(own.points));
@@ -96,6 +99,9 @@ NewtonSolution solve_greville(std::span<const Structure> structures,
     return system;
   };
   problem.load = residual_load(forms, structures, spaces, rule, points);
+  // The extension continues polynomials, and is the identity on inner functions.
+  problem.candidates =
+      FreeFunctions(structures, spaces).coefficients()(inner_functions, Eigen::all);
   NewtonSolution solution = solve_residuals(problem, options);
   solution.linear.coefficients = extension * solution.linear.coefficients;
   return solution;

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/error.hpp"
-#include "solvers/assembly.hpp"
-#include "solvers/equations.hpp"
 #include "solvers/equilibration.hpp"
 #include "solvers/free_functions.hpp"
 #include "solvers/kernel.hpp"
-#include "solvers/solution.hpp"
 #include "solvers/symmetric_factorization.hpp"
 
 namespace rfm {
@@ -217,60 +215,54 @@ NewtonSolution solve_newton(const NewtonEquations& equations, const Vector& star
   return Newton(equations, linear_options, options).solve(start);
 }
 
+NewtonEquations newton_equations(const Equations& equations, const FieldArguments& arguments,
+                                 const std::function<DomainRule()>& finer_rule) {
+  NewtonEquations result;
+  result.at = [&equations, arguments](const Vector& state) {
+    return equations.linearized(state, arguments);
+  };
+  if (std::ranges::any_of(equations.terms().forms, &Form::holds_anything))
+    result.beside = [&equations, arguments](const Vector& state, const Vector& held) {
+      return equations.linearized(state, arguments, &held);
+    };
+  if (finer_rule)
+    result.finer = [&equations, arguments, finer_rule,
+                    finer = std::make_shared<std::optional<DomainRule>>()](const Vector& state) {
+      if (!*finer) finer->emplace(finer_rule());
+      return equations.with_rule(**finer).linearized(state, arguments);
+    };
+  const bool has_data = std::ranges::any_of(equations.structures(), [](const Structure& structure) {
+    return !structure.inhomogeneous().is_constant(0);
+  });
+  if (has_data) try {
+      result.loads = equations.loads_of_zero(arguments);
+    } catch (const ComputationError&) {  // not defined there, as a logarithm
+    }
+  // For what equations leave free: the level of a pressure.
+  result.candidates =
+      equations.global_spaces().empty()
+          ? FreeFunctions(equations.structures(), equations.spaces()).coefficients()
+          : FreeFunctions(equations.structures(), equations.global_spaces()).coefficients();
+  if (equations.extraction())
+    result.candidates = equations.extraction()->reduced(result.candidates);
+  return result;
+}
+
 NewtonSolution solve_newton(std::span<const Structure> structures,
                             std::span<const TensorProductSpace> spaces, std::span<const Form> forms,
                             const DomainRule& rule, const LinearSolverOptions& linear_options,
                             const NewtonOptions& options, const std::optional<Vector>& start,
                             const FieldArguments& arguments) {
-  std::vector<Structure> changes;
-  for (const Structure& structure : structures) changes.push_back(homogeneous_part(structure));
   const SplineExtraction* extraction = options.extraction;
-  // Coefficients of all splines, from those of combinations if there are such.
-  const auto all = [&](const Vector& coefficients) {
-    return extraction ? Vector(extraction->matrix * coefficients) : coefficients;
-  };
-  const auto assembled = [&](const Vector& coefficients, const DomainRule& points,
-                             const Vector* held = nullptr) {
-    const std::vector<Field> fields = solution_fields(structures, spaces, all(coefficients));
-    std::vector<Field> held_fields;
-    if (held) held_fields = solution_fields(structures, spaces, all(*held));
-    std::vector<Contribution> contributions;
-    for (const Form& form : forms) contributions.push_back(form.linearized(fields, held_fields));
-    LinearSystem system = assemble(changes, spaces, contributions, points, arguments);
-    return extraction ? extraction->folded(system) : system;
-  };
-  NewtonEquations equations;
-  equations.at = [&](const Vector& coefficients) { return assembled(coefficients, rule); };
-  if (std::ranges::any_of(forms, &Form::holds_anything))
-    equations.beside = [&](const Vector& coefficients, const Vector& held) {
-      return assembled(coefficients, rule, &held);
-    };
-  const bool has_data = std::ranges::any_of(structures, [](const Structure& structure) {
-    return !structure.inhomogeneous().is_constant(0);
-  });
-  if (has_data) try {
-      std::vector<Contribution> contributions;
-      const std::vector<Field> zero(structures.size(), 0.0);
-      for (const Form& form : forms) contributions.push_back(form.linearized(zero));
-      const LinearSystem system = assemble(changes, spaces, contributions, rule, arguments);
-      equations.loads = (extraction ? extraction->folded(system) : system).right_hand_side;
-    } catch (const ComputationError&) {  // not defined there, as a logarithm
-    }
-  if (options.finer_rule)
-    equations.finer = [&](const Vector& coefficients) {
-      return assembled(coefficients, options.finer_rule());
-    };
-  // For what equations leave free: the level of a pressure.
-  equations.candidates = FreeFunctions(structures, spaces).coefficients();
-  Eigen::Index size = 0;
-  for (const TensorProductSpace& space : spaces) size += space.size();
-  Vector first = start.value_or(Vector::Zero(size));
-  if (extraction) {
-    equations.candidates = extraction->reduced(equations.candidates);
-    first = extraction->reduced(first);
-  }
-  NewtonSolution solution = solve_newton(equations, first, linear_options, options);
-  solution.linear.coefficients = all(solution.linear.coefficients);
+  const Equations equations(
+      {structures.begin(), structures.end()}, {spaces.begin(), spaces.end()},
+      {.stiffness = {}, .forms = {forms.begin(), forms.end()}}, rule,
+      extraction ? std::optional<SplineExtraction>(*extraction) : std::nullopt);
+  Vector first = Vector::Zero(equations.size());
+  if (start) first = extraction ? Vector(extraction->reduced(*start)) : *start;
+  NewtonSolution solution = solve_newton(newton_equations(equations, arguments, options.finer_rule),
+                                         first, linear_options, options);
+  if (extraction) solution.linear.coefficients = extraction->matrix * solution.linear.coefficients;
   return solution;
 }
 

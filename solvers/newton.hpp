@@ -10,6 +10,7 @@
 #include "basis/tensor_product_space.hpp"
 #include "quadrature/domain_rule.hpp"
 #include "solution_structures/structure.hpp"
+#include "solvers/equations.hpp"
 #include "solvers/extraction.hpp"
 #include "solvers/field_arguments.hpp"
 #include "solvers/form.hpp"
@@ -51,6 +52,11 @@ struct NewtonIteration {
 struct NewtonSolution {
   LinearSolution linear;  ///< of the last step, with the coefficients of the solution
   std::vector<NewtonIteration> iterations;
+  /// Of collocation: what the equations leave free, as weights of the candidates by column. It has
+  /// no part in the solution but for a few coefficients held at zero.
+  Eigen::MatrixXd free{};
+  /// Of collocation: the residuals that are left, as a part of those at the start.
+  double remainder = 0;
   /// The order of convergence that the last three full steps show, log(s₃/s₂) / log(s₂/s₁), where
   /// there are three above rounding: 2 for Newton's method.
   std::optional<double> order() const;
@@ -72,6 +78,11 @@ struct NewtonEquations {
   /// already has no coefficients by which to judge a step.
   Eigen::VectorXd loads{};
 };
+
+/// Those of a bundle at a time. `finer_rule` is that of `NewtonOptions`. The bundle must outlive
+/// them.
+NewtonEquations newton_equations(const Equations& equations, const FieldArguments& arguments = {},
+                                 const std::function<DomainRule()>& finer_rule = {});
 
 /// Newton's method from `start`, as that for forms below.
 NewtonSolution solve_newton(const NewtonEquations& equations, const Eigen::VectorXd& start,

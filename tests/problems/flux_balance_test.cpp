@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "problems/reader.hpp"
+#include "tests/problems/solved_text.hpp"
 
 namespace rfm {
 namespace {
@@ -47,6 +48,19 @@ TEST_P(FluxBalance, HoldsWhereTheSolutionIsSmooth) {
     EXPECT_LT(solution.imbalance, 1e-3) << name;
     EXPECT_FALSE(solution.is_warned) << name;
   }
+}
+
+TEST_P(FluxBalance, IsNotMissedByWhatBalancesOnOnePiece) {
+  const ScalarSolution solution = test::solved(
+      "dimension: 2\n"
+      "geometry: {shapes: {disk: {circle: {center: [0, 0], radius: 1}}}, domain: disk}\n"
+      "physics: {type: poisson}\n"
+      "conditions: [{at: disk, flux: x}]\n"
+      "discretization: {basis: {bspline: 3, cells: 8}}\n",
+      {"discretization.method=" + std::string(GetParam())});
+  for (const std::string& note : solution.notes)
+    EXPECT_EQ(note.find("reentrant corner"), std::string::npos) << note;
+  EXPECT_LT(norms(solution.results.unknowns[0].field - x_coordinate(), solution.rule).l2, 1e-10);
 }
 
 TEST(EnergyBalance, HoldsAtAReentrantCornerByTheEnergy) {

@@ -104,5 +104,28 @@ TEST(Modes, OfUnknownsOfAnyMeaningAreNumbersByName) {
   EXPECT_EQ(evaluate(Expression("mode2"), scope).components.size(), 3u);
 }
 
+TEST(EquationsOfAFile, HoldResidualAndTangentOfWhatIsNotLinear) {
+  const std::string text =
+      "dimension: 2\n"
+      "geometry: {shapes: {disk: {circle: {center: [0, 0], radius: 1}}}, domain: disk}\n"
+      "physics: {type: heat, conductivity: 1 + u^2, source: 3}\n"
+      "conditions: [{at: disk, value: x}]\n"
+      "discretization: {basis: {bspline: 3, cells: 8}}\n";
+  const Problem file = read_problem(make_source("case.yaml", text));
+  const ScalarProblem problem(file);
+  const ScalarSolution solution = problem.solve(problem.grid());
+  const Equations equations = problem.equations(solution.rule, solution.grid);
+  EXPECT_EQ(equations.terms().forms.size(), 1u);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(equations.size());
+  const double start = equations.residual(zero, 0).norm();
+  EXPECT_LT(equations.residual(solution.linear.coefficients, 0).norm(), 1e-12 * start);
+  const Eigen::VectorXd change = Eigen::VectorXd::Random(equations.size());
+  const Eigen::VectorXd slope = equations.linearized(solution.linear.coefficients).matrix * change;
+  const auto beside = [&](double step) {
+    return equations.residual(solution.linear.coefficients + step * change, 0);
+  };
+  EXPECT_LT((slope - (beside(1e-4) - beside(-1e-4)) / 2e-4).norm(), 1e-6 * slope.norm());
+}
+
 }  // namespace
 }  // namespace rfm

@@ -80,14 +80,9 @@ TEST(DenseAssembly, ServesNewtonsMethod) {
     const GlobalSpaces spaces{std::make_shared<TensorPolynomials>(
         rule.grid().box(), PolynomialFamily{PolynomialFamily::Kind::legendre, degree, true})};
     const Equations whole({exact + omega * cos(x - y) + omega * Structure::undetermined()}, spaces,
-                          {}, rule);
-    const std::vector<Structure> changes{homogeneous_part(whole.structures()[0])};
-    NewtonEquations equations;
-    equations.at = [&](const Eigen::VectorXd& state) {
-      const Contribution part = form.linearized(whole.fields(state));
-      return assemble_dense(changes, spaces, std::span(&part, 1), rule);
-    };
-    const NewtonSolution solution = solve_newton(equations, Eigen::VectorXd::Zero(whole.size()));
+                          {.stiffness = {}, .forms = {form}}, rule);
+    const NewtonSolution solution =
+        solve_newton(newton_equations(whole), Eigen::VectorXd::Zero(whole.size()));
     EXPECT_NEAR(solution.order().value_or(0), 2, 0.45);  // of the last three steps
     return norms(whole.fields(solution.linear.coefficients)[0] - exact, rule).l2;
   };
