@@ -1,6 +1,10 @@
 #include "quadrature/vertices.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <span>
 
 #include "core/point_algebra.hpp"
 #include "quadrature/candidate_boxes.hpp"
@@ -28,6 +32,12 @@ class VertexFinder {
       result_.crowded_boxes = visit_candidate_boxes(region_, box_, size_ / parts,
                                                     [&](const CandidateBox& part) { visit(part); });
     std::ranges::sort(result_.vertices, {}, &Vertex::point);
+    for (const auto& [surfaces, boxes] : of_two_)
+      if (!touching_along_a_curve_.contains(surfaces))
+        unresolved_.insert(unresolved_.end(), boxes.begin(), boxes.end());
+    for (const auto& [surfaces, boxes] : of_three_)
+      if (!sharing_a_curve_.contains(surfaces))
+        unresolved_.insert(unresolved_.end(), boxes.begin(), boxes.end());
     cluster_unresolved();
     return std::move(result_);
   }
@@ -60,9 +70,37 @@ class VertexFinder {
     std::vector<const LevelFunction*> functions;
     for (const int v : variables) functions.push_back(&region_.level(part.primitives[v]));
     const std::span used(axes.begin(), static_cast<std::size_t>(box_.dimension));
-    const ZeroSet zeros = isolate_zeros(functions, part.box, used);
-    for (const Point& point : zeros.zeros) add(part, point);
-    unresolved_.insert(unresolved_.end(), zeros.unresolved.begin(), zeros.unresolved.end());
+    const auto isolate = [&](const Box& box, const ZeroSearchOptions& options) {
+      ZeroSet zeros = isolate_zeros(functions, box, used, options);
+      for (const Point& point : zeros.zeros) add(part, point);
+      return std::move(zeros.unresolved);
+    };
+    if (box_.dimension == 2) {
+      const std::vector<Box> boxes = isolate(part.box, {});
+      unresolved_.insert(unresolved_.end(), boxes.begin(), boxes.end());
+      return;
+    }
+    std::array<int, 3> surfaces{};
+    for (int i = 0; i < 3; ++i) surfaces[i] = part.surfaces[variables[i]];
+    std::ranges::sort(surfaces);
+    // Three surfaces may have a curve in common, as a plane, the torus that rounds its edge and the
+    // surface that tells one from the other: of boxes along it there are many before they are
+    // small.
+    constexpr double coarse = 0x1p-7, fine = 0x1p-14;
+    constexpr int most_coarse = 128, most_fine = 256;
+    const std::vector<Box> boxes = isolate(part.box, {coarse, most_coarse});
+    if (boxes.size() >= most_coarse) sharing_a_curve_.insert(surfaces);
+    if (boxes.empty() || sharing_a_curve_.contains(surfaces)) return;
+    std::vector<Box>& small = of_three_[surfaces];
+    std::size_t count = 0;
+    for (const Box& box : boxes) {
+      const std::vector<Box> found = isolate(box, {fine / coarse, most_fine});
+      small.insert(small.end(), found.begin(), found.end());
+      count += found.size();
+      if (count < most_fine) continue;
+      sharing_a_curve_.insert(surfaces);
+      return;
+    }
   }
 
   // Where two surfaces of space touch in a point, or cross in curves that meet in a point: halves
@@ -71,18 +109,26 @@ class VertexFinder {
   void search_contact(const CandidateBox& part, const PrimitivePair& pair) {
     constexpr std::size_t most_boxes = 96;
     constexpr int halvings = 3 * 12;
+    const std::array<int, 2> surfaces{
+        std::min(part.surfaces[pair.first], part.surfaces[pair.second]),
+        std::max(part.surfaces[pair.first], part.surfaces[pair.second])};
+    if (touching_along_a_curve_.contains(surfaces)) return;
     const LevelFunction& f = region_.level(part.primitives[pair.first]);
     const LevelFunction& g = region_.level(part.primitives[pair.second]);
     std::vector<Box> boxes{part.box}, next;
     for (int level = 0; level < halvings && !boxes.empty(); ++level) {
-      if (boxes.size() > most_boxes) return;
+      if (boxes.size() > most_boxes) {
+        touching_along_a_curve_.insert(surfaces);
+        return;
+      }
       next.clear();
       for (const Box& box : boxes)
         for (const Box& half : bisect(box, box.longest_axis()))
           if (may_touch(f, g, half)) next.push_back(half);
       std::swap(boxes, next);
     }
-    unresolved_.insert(unresolved_.end(), boxes.begin(), boxes.end());
+    std::vector<Box>& small = of_two_[surfaces];
+    small.insert(small.end(), boxes.begin(), boxes.end());
   }
 
   // Whether bounds leave open that both vanish in a box with parallel gradients.
@@ -146,6 +192,12 @@ class VertexFinder {
   const Box& box_;
   double size_;
   std::vector<Box> unresolved_;
+  // Of two or three surfaces, unless they touch along a curve or have one in common somewhere: then
+  // no point of it is one to tell, however short the curve is in another part.
+  std::map<std::array<int, 2>, std::vector<Box>> of_two_;
+  std::set<std::array<int, 2>> touching_along_a_curve_;
+  std::map<std::array<int, 3>, std::vector<Box>> of_three_;
+  std::set<std::array<int, 3>> sharing_a_curve_;
   VertexSearch result_;
 };
 

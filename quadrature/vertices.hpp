@@ -23,7 +23,8 @@ struct VertexSearch {
   std::vector<Vertex> vertices;
   /// Where primitives touch without crossing, or are singular (the apex of a cone), and where
   /// curves cross in which two surfaces of space meet: the middles of what the search could not
-  /// resolve. There may be a vertex nearby, or none. Contacts along whole curves are none of these.
+  /// resolve. There may be a vertex nearby, or none. Contacts along whole curves are none of these,
+  /// nor are curves that three surfaces have in common.
   std::vector<Point> unresolved;
   /// Parts of the region's box that were left out, as too many primitives meet in them.
   int crowded_boxes = 0;

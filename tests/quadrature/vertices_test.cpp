@@ -4,6 +4,7 @@
 
 #include "core/point_algebra.hpp"
 #include "core/primitives.hpp"
+#include "core/profile_bodies.hpp"
 #include "tests/quadrature/standard_regions.hpp"
 
 using namespace rfm;
@@ -211,6 +212,16 @@ TEST(Vertices, ContactsAlongCurvesAreNoPoints) {
       region_of(0.0625 - square(sqrt(square(x()) + square(y())) - 0.7) - square(z()), 3);
   const Region body = torus & region_of(0.25 - z(), 3);
   const VertexSearch found = find_vertices(RegionEvaluator(body), {3, {-1, -1, -0.3}, {1, 1, 0.3}});
+  EXPECT_TRUE(found.vertices.empty());
+  EXPECT_TRUE(found.unresolved.empty());
+}
+
+// A turned can with a rounded corner: plane, torus and cylinder touch along circles, through which
+// the cone passes that tells one from the other. Nothing is a point there, nor on the axis.
+TEST(Vertices, ARoundedEdgeHasNone) {
+  const Region profile = box({-5, 0}, {5, 6}) & (circle({4, 1}, 1) | half_plane({4, 0}, {-1, 1}));
+  const Region can = revolution(profile, {0, 0, 0}, {0, 0, 1});
+  const VertexSearch found = find_vertices(RegionEvaluator(can), {3, {-5, -5, 0}, {5, 5, 6}});
   EXPECT_TRUE(found.vertices.empty());
   EXPECT_TRUE(found.unresolved.empty());
 }
