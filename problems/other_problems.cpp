@@ -67,6 +67,9 @@ const OtherProblems::Solved& OtherProblems::solved(const DocumentNode& from) {
     const ScalarSolution solution = scalar.solve(scalar.grid());
     solved->scope = solved->problem.scope;
     define_results(solved->scope, solution.results);
+    refuse_normal(
+        solved->scope, dimension_,
+        "is known on the boundary of that problem only: expected a field inside, as flux.x");
     solved->box = scalar.bounds();
   } catch (const ComputationError& error) {
     throw ComputationError(from.text + ": " + error.what());

@@ -265,6 +265,13 @@ void check_method(const Problem& problem) {
   if (!problem.physics.custom) return;
   const CustomPhysics& custom = *problem.physics.custom;
   const bool has_residuals = custom.kind == CustomPhysics::Kind::residuals;
+  if (has_residuals && custom.formulas.size() < problem.physics.unknowns.size()) {
+    const DocumentNode* physics = problem.document.find("physics");
+    const DocumentNode* residuals = physics ? physics->find("residuals") : nullptr;
+    refuse_at(residuals ? residuals->place : custom.place,
+              fmt::format("{} unknowns need as many residuals or more: {} given",
+                          problem.physics.unknowns.size(), custom.formulas.size()));
+  }
   if (uses_residuals(problem) && !has_residuals)
     refuse_at(custom.place,
               "least squares and collocation need `residuals`: no energy or weak form tells them");

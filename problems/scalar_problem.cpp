@@ -170,6 +170,9 @@ void ScalarProblem::check_modes() const {
   if (problem_.physics.custom && problem_.physics.coefficients.contains("mass") &&
       method == Method::ritz)
     return;  // whether its energy is quadratic, its forms tell
+  if (problem_.physics.custom && problem_.physics.coefficients.contains("mass"))
+    refuse("modes of an energy are found by Ritz's method: expected discretization.method: ritz",
+           problem_.physics.custom->place);
   if (problem_.physics.custom || depend_on_solution(coefficients_) ||
       !coefficients_.advection.empty() || method == Method::least_squares ||
       method == Method::collocation)

@@ -72,19 +72,32 @@ LinearSystem tangent_at(const std::vector<Form>& equations, const std::vector<Fi
   return assemble(changes, functions, parts, rule);
 }
 
-// A failure at equations that jump with the solution says so.
+// " (energy at plate.yaml:9:11)", of custom physics.
+std::string place_of_equations(const Problem& problem) {
+  if (!problem.physics.custom) return "";
+  const DocumentNode* physics = problem.document.find("physics");
+  for (const char* key : {"energy", "weak", "residuals"})
+    if (const DocumentNode* node = physics ? physics->find(key) : nullptr)
+      return fmt::format(" ({} at {})", key, node->place.text());
+  return "";
+}
+
+// A failure at equations of one's own says where they stand, and at those that jump with the
+// solution that they do.
 template <class Solve>
-void naming_jumps(const ScalarProblem& problem, const Solve& solve) {
+void naming_equations(const ScalarProblem& problem, const Solve& solve) {
   try {
     solve();
   } catch (const ComputationError& error) {
     const std::string jumps = jumps_with_solution(problem);
-    if (jumps.empty()) throw;
-    throw ComputationError(fmt::format(
-        "{}. The equations jump or have corners where the solution passes a value, by if, step, "
-        "sign, abs, min or max in {}: where it stays at that value they hold nowhere, and steps go "
-        "to and fro; a smooth passage, as (1 + tanh((u - c)/w))/2, has a solution",
-        error.what(), jumps));
+    std::string text = error.what() + place_of_equations(problem.problem());
+    if (!jumps.empty())
+      text += fmt::format(
+          ". The equations jump or have corners where the solution passes a value, by if, step, "
+          "sign, abs, min or max in {}: where it stays at that value they hold nowhere, and steps "
+          "go to and fro; a smooth passage, as (1 + tanh((u - c)/w))/2, has a solution",
+          jumps);
+    throw ComputationError(text);
   }
 }
 
@@ -168,13 +181,13 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
     return solution;
   }
   if (problem_.study.type == Study::Type::eigen) {
-    solve_eigen(solution);
+    naming_equations(*this, [&] { solve_eigen(solution); });
     return solution;
   }
   check_compatible(solution.rule);
   if (has_global_functions()) {
     solution.results.dimension = problem_.dimension;
-    naming_jumps(*this, [&] {
+    naming_equations(*this, [&] {
       uses_forms(*this) ? solve_global_forms(solution) : solve_global_energy(solution);
     });
     return solution;
@@ -209,7 +222,7 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   };
   bool at_points =
       problem_.discretization.method == Discretization::Method::collocation || must_use_qr();
-  naming_jumps(*this, [&] {
+  naming_equations(*this, [&] {
     if (at_points)
       solve_at_points(equations, functions, solution);
     else if (may_use_qr())
