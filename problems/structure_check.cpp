@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/boundary_piece.hpp"
 #include "core/tape.hpp"
 #include "problems/scalar_forms.hpp"
@@ -71,22 +74,92 @@ std::vector<Point> points_inside(const DomainRule& rule) {
   return points;
 }
 
-// The largest |u − value| at `points`, and inside: units of length make it large or small.
-StructureDeviation deviation_of_value(const std::vector<Structure>& structures, int unknown,
-                                      const Field& value, const std::vector<Point>& points,
-                                      const DomainRule& rule) {
-  const auto largest = [&](const std::vector<Point>& places) {
-    return largest_deviation(
-        structures,
-        [&](const std::vector<Field>& u) { return u[static_cast<std::size_t>(unknown)]; }, value,
-        places, {.dimension = rule.dimension(), .count = 2});
-  };
-  StructureDeviation found = largest(points);
-  const std::vector<Point> inside = points_inside(rule);
-  if (const double scale = inside.empty() ? 0 : largest(inside).largest; scale > 0)
-    found.scale = scale;
-  return found;
+// With random functions in the place of the Ψ, of the size of the domain.
+StructureTrials random_trials(const DomainRule& rule) {
+  const Box& box = rule.grid().box();
+  return {.dimension = rule.dimension(),
+          .count = 2,
+          .centre = box.center(),
+          .size = 0.5 * box.longest_side()};
 }
+
+// With nothing there: what is missed of small data would be rounding beside random functions.
+StructureTrials trial_of_data(const DomainRule& rule) {
+  StructureTrials trials = random_trials(rule);
+  trials.count = 1;
+  trials.amplitude = 0;
+  return trials;
+}
+
+// The largest |f| of some fields at points where they are numbers.
+double size_of(const std::vector<Field>& fields, const std::vector<Point>& points, int dimension) {
+  const Tape tape(fields, {0}, dimension);
+  double largest = 0;
+  for (const Point& point : points)
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (const double value = std::fabs(tape.value(point, static_cast<int>(i)));
+          std::isfinite(value))
+        largest = std::max(largest, value);
+  return largest;
+}
+
+// What is missed of a condition, by the size of what it is made of.
+class Misses {
+ public:
+  Misses(const std::vector<Structure>& structures, std::size_t unknown, const DomainRule& rule,
+         const std::vector<Point>& points)
+      : structures_(structures), unknown_(unknown), rule_(rule), points_(points) {
+    places_ = points_inside(rule);
+  }
+
+  // By the size of the value, and of how far u is from it inside.
+  StructureDeviation of_value(const Field& value) {
+    places_.insert(places_.end(), points_.begin(), points_.end());
+    const auto difference = [&](const Field& u) { return std::vector<Field>{u - value, value}; };
+    return worst([&](const std::vector<Field>& u) { return u[unknown_]; }, value, difference, 0);
+  }
+
+  // By the size of the gradient, inside and at the boundary, and of the data.
+  StructureDeviation of_derivative(const BoundaryOperator& residual) {
+    const double data =
+        size_of({residual(std::vector<Field>(structures_.size(), 0.0))}, points_, dimension());
+    places_.insert(places_.end(), points_.begin(), points_.end());
+    // Rounding of a constant u is no slope.
+    const double slight = 1e-3 / rule_.grid().box().longest_side();
+    const auto slopes = [&](const Field& u) {
+      std::vector<Field> fields{slight * u};
+      for (int axis = 0; axis < dimension(); ++axis) fields.push_back(partial(u, axis));
+      return fields;
+    };
+    return worst(residual, 0.0, slopes, data);
+  }
+
+ private:
+  int dimension() const { return rule_.dimension(); }
+
+  template <class Parts>
+  StructureDeviation worst(const BoundaryOperator& condition, const Field& data, Parts&& parts,
+                           double scale) const {
+    StructureDeviation found;
+    for (const StructureTrials& trials : {random_trials(rule_), trial_of_data(rule_)}) {
+      found = largest_deviation(structures_, condition, data, points_, trials);
+      found.scale = scale;
+      for (int trial = 0; trial < trials.count; ++trial) {
+        const Field u = random_solution(structures_, trials, trial)[unknown_];
+        found.scale = std::max(found.scale, size_of(parts(u), places_, dimension()));
+      }
+      if (trials.amplitude == 0) found.trial = StructureDeviation::of_data;
+      if (!is_met(found)) break;
+    }
+    return found;
+  }
+
+  const std::vector<Structure>& structures_;
+  std::size_t unknown_;
+  const DomainRule& rule_;
+  const std::vector<Point>& points_;
+  std::vector<Point> places_;  // where parts are looked at
+};
 
 Field along(const std::vector<Field>& direction, const Field& f) {
   Field sum = 0.0;
@@ -98,7 +171,7 @@ Field along(const std::vector<Field>& direction, const Field& f) {
 }  // namespace
 
 bool is_met(const std::optional<StructureDeviation>& deviation) {
-  return !deviation || deviation->largest < rounding * deviation->scale;
+  return !deviation || deviation->largest <= rounding * deviation->scale;
 }
 
 std::optional<StructureDeviation> deviation_from(const PieceCondition& condition,
@@ -110,21 +183,16 @@ std::optional<StructureDeviation> deviation_from(const PieceCondition& condition
   if (points.empty()) return std::nullopt;
   const std::vector<Field> normal = outward_normal(condition.primitive, region);
   const auto unknown = static_cast<std::size_t>(condition.component);
-  const auto largest = [&](const BoundaryOperator& condition_on, const Field& data) {
-    return largest_deviation(structures, condition_on, data, points,
-                             {.dimension = rule.dimension(), .count = 2});
-  };
+  const auto misses = [&] { return Misses(structures, unknown, rule, points); };
   if (condition.kind != Condition::Kind::value)
-    return largest(
-        [&](const std::vector<Field>& u) {
-          return natural_residual(condition, coefficients, normal, u[unknown]) /
-                 normal_conductivity(coefficients, normal);
-        },
-        0.0);
-  const StructureDeviation worst =
-      deviation_of_value(structures, condition.component, condition.data[0], points, rule);
+    return misses().of_derivative([&](const std::vector<Field>& u) {
+      return natural_residual(condition, coefficients, normal, u[unknown]) /
+             normal_conductivity(coefficients, normal);
+    });
+  const StructureDeviation worst = misses().of_value(condition.data[0]);
   if (!condition.clamped || !is_met(worst)) return worst;
-  return largest([&](const std::vector<Field>& u) { return along(normal, u[unknown]); }, 0.0);
+  return misses().of_derivative(
+      [&](const std::vector<Field>& u) { return along(normal, u[unknown]); });
 }
 
 std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown,
@@ -133,13 +201,14 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
                                                  const DomainRule& rule) {
   const std::vector<Point> points = points_of(set, rule);
   if (points.empty()) return std::nullopt;
-  return deviation_of_value(structures, unknown, value, points, rule);
+  return Misses(structures, static_cast<std::size_t>(unknown), rule, points).of_value(value);
 }
 
 std::string deviation_text(const StructureDeviation& deviation, int dimension) {
-  return fmt::format("it is {:.3g} off at ({:.4g}, {:.4g}{}) for an arbitrary psi",
-                     deviation.largest, deviation.place[0], deviation.place[1],
-                     dimension > 2 ? fmt::format(", {:.4g}", deviation.place[2]) : "");
+  return fmt::format(
+      "it is {:.3g} off at ({:.4g}, {:.4g}{}) for {}", deviation.largest, deviation.place[0],
+      deviation.place[1], dimension > 2 ? fmt::format(", {:.4g}", deviation.place[2]) : "",
+      deviation.trial == StructureDeviation::of_data ? "psi = 0" : "an arbitrary psi");
 }
 
 }  // namespace rfm

@@ -13,9 +13,10 @@
 namespace rfm {
 
 /// By how much structures (by unknown) miss a condition on its piece of the boundary at most, for
-/// undetermined functions chosen at random, of the order of 10, at the boundary points of `rule`.
-/// Of a clamped piece the normal derivative counts, too; natural conditions are divided by the
-/// conductivity along the normal. Nothing where there are no points.
+/// undetermined functions chosen at random and for none, at the boundary points of `rule`; `scale`
+/// is the size of what the condition is made of: values and how far u is from them inside, slopes
+/// of u. Of a clamped piece the normal derivative counts, too; natural conditions are divided by
+/// the conductivity along the normal. Nothing where there are no points.
 std::optional<StructureDeviation> deviation_from(const PieceCondition& condition,
                                                  const std::vector<Structure>& structures,
                                                  const ScalarCoefficients& coefficients,
@@ -29,8 +30,7 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
                                                  const std::vector<Structure>& structures,
                                                  const DomainRule& rule);
 
-/// Whether a deviation is rounding, of values by what they are inside. One that is not a number is
-/// none.
+/// Whether a deviation is rounding, by its scale. One that is not a number is none.
 bool is_met(const std::optional<StructureDeviation>& deviation);
 
 /// "it is 0.3 off at (1, 2) for an arbitrary psi".

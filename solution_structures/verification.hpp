@@ -17,18 +17,26 @@ struct StructureTrials {
   int dimension = 2;
   int count = 3;      ///< sets of functions that are put in for the Ψ
   unsigned seed = 1;  ///< the same seed gives the same functions everywhere
+  /// What functions are multiplied by. With 0 nothing is put in: u is what the structure makes of
+  /// the data, be they ever so small.
+  double amplitude = 1;
+  /// Functions are those of (x − centre)/size: of a domain in other units the same ones.
+  Point centre{};
+  double size = 1;
 };
 
 struct StructureDeviation {
+  static constexpr int of_data = -1;
   double largest = 0;  ///< |B u − data|; not a number where that is not
   Point place{};       ///< where
-  int trial = 0;       ///< for which functions
+  int trial = 0;       ///< for which functions; `of_data` for none
   double scale = 1;    ///< how large it is where it need not be zero, if that is known
 };
 
 /// A function to put in for a Ψ: a polynomial of degree 4 with coefficients of at most 1, and a
-/// sine in a direction of its own. Smooth, and of no boundary condition of ours.
-Field random_function(int dimension, unsigned seed);
+/// sine in a direction of its own, of (x − centre)/size. Smooth, and of no boundary condition of
+/// ours.
+Field random_function(int dimension, unsigned seed, const Point& centre = {}, double size = 1);
 
 /// How far a structure is from a boundary condition: the largest |B u − data| over `points`
 /// (regular points of the part of the boundary), with random functions in the place of the Ψ. A
@@ -44,7 +52,9 @@ StructureDeviation largest_deviation(const std::vector<Structure>& structures,
                                      std::span<const Point> points,
                                      const StructureTrials& trials = {});
 
-/// u with random functions in the place of the Ψ.
+/// u with random functions in the place of the Ψ, those of one trial.
+std::vector<Field> random_solution(const std::vector<Structure>& structures,
+                                   const StructureTrials& trials, int trial = 0);
 std::vector<Field> random_solution(const std::vector<Structure>& structures, int dimension,
                                    unsigned seed);
 

@@ -60,6 +60,19 @@ TEST(Verification, EveryTrialPutsInFunctionsOfItsOwn) {
   EXPECT_GT(*worst, largest.front()) << "or the first functions decide, and nothing is tested";
 }
 
+TEST(Verification, FunctionsOfADomainAreTheSameInEveryUnit) {
+  const Field f = random_function(2, 5), scaled = random_function(2, 5, {3, -2, 0}, 1000);
+  EXPECT_NEAR(value_at(f, {0.3, 0.4}), value_at(scaled, {303, 398}), 1e-13);
+  EXPECT_NEAR(value_at(partial(f, 0), {0.3, 0.4}), 1000 * value_at(partial(scaled, 0), {303, 398}),
+              1e-12);
+}
+
+TEST(Verification, WithoutFunctionsTheDataAreLeft) {
+  const auto value = [](const std::vector<Field>& u) { return u[0]; };
+  const std::vector<Point> points{{0.25, 0.5}};
+  EXPECT_EQ(largest_deviation({psi + 1e-9}, value, 0.0, points, {.amplitude = 0}).largest, 1e-9);
+}
+
 TEST(Verification, WhatIsNotANumberIsADeviation) {
   const auto value = [](const std::vector<Field>& u) { return u[0]; };
   EXPECT_TRUE(std::isnan(
