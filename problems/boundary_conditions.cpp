@@ -94,10 +94,11 @@ struct PrescribedConjuncts {
   Primitives covered;
 };
 
-PrescribedConjuncts prescribed_conjuncts(const RegionEvaluator& region, const Box& bounds,
+PrescribedConjuncts prescribed_conjuncts(const BooleanExpression& domain,
+                                         const RegionEvaluator& region, const Box& bounds,
                                          const Primitives& bounding, const Primitives& prescribed) {
   const std::vector<BooleanExpression> all =
-      conjuncts(without_redundancy(simplified(region.region().expression(), region, bounds)));
+      conjuncts(without_redundancy(simplified(domain, region, bounds)));
   std::vector<Primitives> used;
   for (const BooleanExpression& conjunct : all) {
     Primitives& primitives = used.emplace_back();
@@ -131,7 +132,8 @@ Weight vanishing_on(const std::vector<PieceCondition>& pieces, const RegionEvalu
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
-  const PrescribedConjuncts conjuncts = prescribed_conjuncts(region, bounds, bounding, whole);
+  const PrescribedConjuncts conjuncts =
+      prescribed_conjuncts(region.region().expression(), region, bounds, bounding, whole);
   Weight result = weight(conjuncts.expression, region, bounds, options);
   for (const PieceCondition& piece : pieces) {
     if (!piece.where && conjuncts.covered.contains(piece.primitive)) continue;
@@ -164,8 +166,8 @@ Field levelled(const Field& gamma, double length) {
 // set meet. Factors level off at the size of the domain, or the distance of one set would be a
 // product of large numbers where that of another is small, and the interpolant would change from
 // one to the other within a thin layer.
-Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
-                     const Box& bounds, const Primitives& bounding) {
+Weight distance_from(const std::vector<PieceCondition>& pieces, const BooleanExpression& domain,
+                     const RegionEvaluator& region, const Box& bounds, const Primitives& bounding) {
   const double length = 1.0 * bounds.longest_side();
   Weight distance{1.0, ""};
   const auto multiply = [&](const Field& function, const std::string& formula) {
@@ -175,7 +177,8 @@ Weight distance_from(const std::vector<PieceCondition>& pieces, const RegionEval
   Primitives whole;
   for (const PieceCondition& piece : pieces)
     if (!piece.where) whole.insert(piece.primitive);
-  const PrescribedConjuncts prescribed = prescribed_conjuncts(region, bounds, bounding, whole);
+  const PrescribedConjuncts prescribed =
+      prescribed_conjuncts(domain, region, bounds, bounding, whole);
   for (const Weight& factor : normalized_factors(prescribed.expression, region, bounds))
     multiply(factor.function, factor.formula);
   for (const PieceCondition& piece : pieces) {
@@ -256,7 +259,9 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
         (!joins_smoothly(piece.primitive) || piece.enforcement == Enforcement::structure))
       candidates.insert(piece.primitive);
   }
-  const Primitives covered = prescribed_conjuncts(region, bounds, bounding, candidates).covered;
+  const Primitives covered =
+      prescribed_conjuncts(region.region().expression(), region, bounds, bounding, candidates)
+          .covered;
   std::map<std::string, std::vector<std::string>> weak_pieces;  // by reason
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const PieceCondition& piece = conditions[i];
@@ -300,10 +305,18 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     plan.weight.formula = "(" + plan.weight.formula + ") * (" + factor.formula + ")";
   }
   // Pieces with the same data are one set of the interpolant: where they meet it stays smooth.
+  // Those where the slope of data is prescribed, too, are not one with others, unless all data are
+  // equal.
+  const auto have_same_data = [](const PieceCondition& a, const PieceCondition& b) {
+    return same_expression(a.data[0], b.data[0]);
+  };
+  const bool all_same = std::ranges::all_of(plan.by_structure, [&](const PieceCondition& piece) {
+    return have_same_data(piece, plan.by_structure[0]);
+  });
   std::vector<std::vector<PieceCondition>> groups;
   for (const PieceCondition& piece : plan.by_structure) {
     const auto same = [&](const std::vector<PieceCondition>& group) {
-      return same_expression(group[0].data[0], piece.data[0]);
+      return have_same_data(group[0], piece) && (all_same || group[0].clamped == piece.clamped);
     };
     const auto group = std::ranges::find_if(groups, same);
     if (group == groups.end())
@@ -311,18 +324,23 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     else
       group->push_back(piece);
   }
+  // Shapes that share sides would make distances zero inside, as they would omega.
+  const BooleanExpression& domain =
+      plan.uses_regular_form ? *regular_form : region.region().expression();
   std::vector<TransfiniteDatum> data;
   Structure::Call call{{}, "transfinite", {}};
   for (const auto& group : groups) {
     Weight distance{1.0, ""};
-    if (groups.size() > 1) distance = distance_from(group, region, bounds, bounding);
-    data.push_back({group[0].data[0], distance.function, 1});
-    call.arguments.insert(call.arguments.end(), {group[0].data[0], distance.function, 1.0});
+    if (groups.size() > 1) distance = distance_from(group, domain, region, bounds, bounding);
+    const int exponent = group[0].clamped ? 2 : 1;
+    data.push_back({group[0].data[0], distance.function, exponent});
+    call.arguments.insert(call.arguments.end(),
+                          {group[0].data[0], distance.function, double(exponent)});
     std::string pieces;
     for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;
     plan.data_sets.push_back({pieces, distance.formula});
   }
-  plan.distance = distance_from(plan.by_structure, region, bounds, bounding).function;
+  plan.distance = distance_from(plan.by_structure, domain, region, bounds, bounding).function;
   plan.data = transfinite_interpolant(data);
   plan.given = plan.data;
   if (groups.size() > 1) plan.given = plan.given.written_as(plan.data, call);
