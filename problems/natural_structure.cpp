@@ -9,6 +9,7 @@
 #include "core/trim.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/structure_language.hpp"
+#include "quadrature/vertices.hpp"
 #include "solution_structures/condition_part.hpp"
 #include "solution_structures/normal_conditions.hpp"
 #include "solvers/form_symbols.hpp"
@@ -94,19 +95,40 @@ std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& cond
   return pieces;
 }
 
-NaturalStructure with_natural_conditions(const Structure& w, const std::optional<Field>& values,
+NaturalStructure with_natural_conditions(const Structure& w,
+                                         const std::optional<PrescribedValues>& values,
                                          const std::vector<NaturalPiece>& pieces,
                                          const ScalarCoefficients& coefficients, const Box& bounds,
-                                         double cell, int remainder) {
+                                         const CellSides& cell, int remainder) {
   NaturalStructure result;
   std::vector<NaturalPart> parts;
   for (const NaturalPiece& piece : pieces) {
-    const Field near = faded(piece.omega, correction_cells * cell);
+    const Field near = faded(piece.omega, correction_cells, cell);
     result.calls.push_back({near, "near", {piece.omega, correction_cells}});
     parts.push_back({excess(w, piece, coefficients, bounds), piece.omega, near});
   }
   result.structure = corrected(w, parts, Structure::undetermined(remainder), values);
   return result;
+}
+
+std::vector<Grading> natural_gradings(const std::vector<NaturalPiece>& pieces,
+                                      const RegionEvaluator& region, const Box& bounds) {
+  constexpr int levels = 15;
+  std::vector<Grading> gradings;
+  if (pieces.empty() || bounds.dimension != 2) return gradings;
+  const auto is_corrected = [&](int primitive) {
+    return std::ranges::any_of(
+        pieces, [&](const NaturalPiece& piece) { return piece.condition.primitive == primitive; });
+  };
+  for (const Vertex& corner : find_vertices(region, bounds).vertices)
+    if (std::ranges::any_of(corner.primitives, is_corrected))
+      gradings.push_back({corner.point, corner.point, levels});
+  for (const NaturalPiece& piece : pieces)
+    if (piece.condition.where)
+      gradings.push_back(towards_curve(
+          {region.region().primitives()[piece.condition.primitive]->level, *piece.condition.where},
+          2, levels));
+  return gradings;
 }
 
 }  // namespace rfm

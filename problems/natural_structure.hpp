@@ -5,6 +5,9 @@
 
 #include "problems/boundary_conditions.hpp"
 #include "problems/scalar_physics.hpp"
+#include "problems/structure_language.hpp"
+#include "quadrature/grading.hpp"
+#include "solution_structures/condition_part.hpp"
 #include "solution_structures/structure.hpp"
 
 namespace rfm {
@@ -27,18 +30,27 @@ std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& cond
 
 /// A structure w, corrected next to these pieces so that it satisfies their conditions, too:
 ///
-///     w − Σᵢ χᵢ ωᵢ ω₀/(ω₀ + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ²
+///     w − Σᵢ χᵢ ωᵢ d²/(d² + (ωᵢ/L)²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ²
 ///
-/// (`corrected` of solution_structures/condition_part.hpp), ω₀ = `values` being zero where w takes
-/// prescribed values. The cutoffs χ are `faded` with a width of one and a half cells, told as calls
-/// to be written `near(omega, 1.5)`. Ψ has the number `remainder`.
+/// (`corrected` of solution_structures/condition_part.hpp), ω₀ and d, without dimension, being zero
+/// where w takes prescribed values; L is the size of the domain. The cutoffs χ are `faded` with a
+/// width of one and a half cells, told as calls to be written `near(omega, 1.5)`. Ψ has the number
+/// `remainder`.
 struct NaturalStructure {
   Structure structure;
   std::vector<Structure::Call> calls;
 };
-NaturalStructure with_natural_conditions(const Structure& w, const std::optional<Field>& values,
+NaturalStructure with_natural_conditions(const Structure& w,
+                                         const std::optional<PrescribedValues>& values,
                                          const std::vector<NaturalPiece>& pieces,
                                          const ScalarCoefficients& coefficients, const Box& bounds,
-                                         double cell, int remainder);
+                                         const CellSides& cell, int remainder);
+
+/// Where corrections meet one another, or prescribed values, they are not smooth: their slopes have
+/// limits that depend on the direction. Rules graded towards such corners and ends of pieces in the
+/// plane make integrals of products with smooth functions right to 10⁻⁹ of a cell; energies are
+/// wrong to first order in h otherwise. None in space, where it would be along edges.
+std::vector<Grading> natural_gradings(const std::vector<NaturalPiece>& pieces,
+                                      const RegionEvaluator& region, const Box& bounds);
 
 }  // namespace rfm

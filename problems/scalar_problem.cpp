@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/error.hpp"
 #include "problems/defined_regions.hpp"
@@ -226,6 +227,8 @@ DomainRule ScalarProblem::rule(const RegionEvaluator& region, const Grid& grid,
   options.cut_points =
       order.value_or(global ? global_points + 2 : degree + (corrected ? corrected_points : 3));
   options.gradings = problem_.discretization.gradings;
+  std::ranges::copy(natural_gradings(natural_, region_, bounds_),
+                    std::back_inserter(options.gradings));
   options.inside_points += more_points;
   options.cut_points += more_points;
   return make_domain_rule(region, common_grid(grid, windows_), options, interfaces_.all());

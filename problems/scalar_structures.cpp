@@ -82,7 +82,7 @@ bool contains(const std::vector<PieceCondition>& list, const PieceCondition& con
 void ScalarProblem::plan_values(const DomainRule& probe) {
   natural_ = natural_pieces(conditions_, problem_, coefficients_, region_, bounds_);
   inner_ = structure_options(problem_);
-  const std::vector<UserStructure> own = user_structures(problem_, cell_side(probe.grid()));
+  const std::vector<UserStructure> own = user_structures(problem_, cell_sides(probe.grid()));
   if (!own.empty()) {
     plan_own_structures(own, probe);
   } else {
@@ -246,7 +246,7 @@ void ScalarProblem::require_natural(const DomainRule& probe) const {
     if (!own.empty())
       refuse(fmt::format("this structure does not satisfy the condition on '{}': {}",
                          piece.condition.name, off),
-             user_structures(problem_, 1)[0].place);
+             user_structures(problem_, cell_sides(probe.grid()))[0].place);
     refuse(fmt::format("the condition at '{}' cannot be enforced by structure: {}",
                        piece.condition.name, off),
            problem_.conditions[piece.condition.condition].place);
@@ -254,16 +254,17 @@ void ScalarProblem::require_natural(const DomainRule& probe) const {
 }
 
 NaturalStructure ScalarProblem::natural_structure(const Grid& grid) const {
-  std::optional<Field> values;
-  if (!plans_[0].weight.function.is_constant()) values = plans_[0].weight.function;
+  std::optional<PrescribedValues> values;
+  if (!plans_[0].weight.function.is_constant())
+    values = {plans_[0].weight.function, plans_[0].distance, bounds_.longest_side()};
   return with_natural_conditions(structures_[0], values, natural_, coefficients_, bounds_,
-                                 cell_side(grid), structures_[0].unknown_count());
+                                 cell_sides(grid), structures_[0].unknown_count());
 }
 
 std::vector<Structure> ScalarProblem::structures(const Grid& grid) const {
   if (own_use_cells_) {
     std::vector<Structure> result;
-    for (const UserStructure& user : user_structures(problem_, cell_side(grid)))
+    for (const UserStructure& user : user_structures(problem_, cell_sides(grid)))
       result.push_back(user.structure);
     return result;
   }
@@ -276,7 +277,7 @@ std::vector<std::optional<std::string>> ScalarProblem::structure_lines(const Gri
   for (const DirichletPlan& plan : plans_)
     if (!plan.own_structure.empty()) lines.emplace_back(plan.own_structure);
   if (!lines.empty()) return lines;
-  const double cell = cell_side(grid);
+  const CellSides cell = cell_sides(grid);
   if (!natural_.empty()) {
     const NaturalStructure natural = natural_structure(grid);
     return {structure_line(natural.structure, problem_, conditions_, cell, natural.calls)};

@@ -24,7 +24,7 @@ ExpressionFunction level_of(const Region& domain) {
   return {1, 1, value, true};
 }
 
-ExpressionFunction near_of(double cell) {
+ExpressionFunction near_of(const CellSides& cell) {
   const auto value = [cell](std::span<const ExpressionArgument> arguments) -> ExpressionValue {
     for (const ExpressionArgument& argument : arguments)
       if (argument.value.is_vector)
@@ -33,7 +33,7 @@ ExpressionFunction near_of(double cell) {
     if (!cells.is_constant() || !(cells.constant() > 0))
       throw InputError("a positive number of cells is needed here", arguments[1].offset,
                        arguments[1].length);
-    return faded(arguments[0].value.components[0], cells.constant() * cell);
+    return faded(arguments[0].value.components[0], cells.constant(), cell);
   };
   return {2, 2, value};
 }
@@ -95,7 +95,21 @@ void name_calls(const std::vector<Structure::Call>& calls, const ExpressionScope
 
 }  // namespace
 
-Field faded(const Field& omega, double width) { return exp(-pow(omega / width, 2)); }
+CellSides cell_sides(const Grid& grid) {
+  CellSides sides{grid.dimension(), {}, grid.box().longest_side()};
+  for (int axis = 0; axis < grid.dimension(); ++axis) sides.side[axis] = grid.spacing(axis);
+  return sides;
+}
+
+Field faded(const Field& omega, double cells, const CellSides& cell) {
+  // Far away where ω has no slope.
+  const double farthest = 10 * cell.whole;
+  const double widest = *std::ranges::max_element(cell.side);
+  Field step = pow((widest / farthest) * omega, 2);
+  for (int axis = 0; axis < cell.dimension; ++axis)
+    step = step + pow(cell.side[axis] * partial(omega, axis), 2);
+  return exp(-pow(omega / cells, 2) / step);
+}
 
 double cell_side(const Grid& grid) {
   double side = grid.spacing(0);
@@ -103,7 +117,7 @@ double cell_side(const Grid& grid) {
   return side;
 }
 
-ExpressionScope structure_scope(const Problem& problem, int unknowns, double cell) {
+ExpressionScope structure_scope(const Problem& problem, int unknowns, const CellSides& cell) {
   ExpressionScope scope = problem.scope;
   define_structures(scope, problem.dimension, unknowns);
   if (!scope.has_function(level_function))
@@ -114,7 +128,8 @@ ExpressionScope structure_scope(const Problem& problem, int unknowns, double cel
 
 std::optional<std::string> structure_line(const Structure& structure, const Problem& problem,
                                           const std::vector<PieceCondition>& conditions,
-                                          double cell, const std::vector<Structure::Call>& calls) {
+                                          const CellSides& cell,
+                                          const std::vector<Structure::Call>& calls) {
   const ExpressionScope scope =
       structure_scope(problem, std::max(1, structure.unknown_count()), cell);
   StructureNames names;

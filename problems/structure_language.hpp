@@ -11,19 +11,29 @@
 
 namespace rfm {
 
+/// How large the cells of a grid are, along each axis (on average), and the grid.
+struct CellSides {
+  int dimension = 2;
+  Point side{};
+  double whole = 1;
+};
+CellSides cell_sides(const Grid& grid);
+
 /// What formulas of a problem's structures may use: everything that the file defines, what
 /// `define_structures` adds for so many undetermined functions, and
 ///
 ///     level(hole)      the function of the sign of omega(hole) that products are made of: a
 ///                      polynomial where there is one, not normalised (core/region.hpp)
-///     near(omega, c)   `faded` with a width of c sides of a cell
+///     near(omega, c)   `faded` with a width of c cells
 ///
-/// unless the file has functions of these names. `cell` is the shortest side of a cell.
-ExpressionScope structure_scope(const Problem& problem, int unknowns, double cell);
-/// exp(−(ω/w)²): 1 where ω = 0, with no slope there, below 10⁻⁶ from 3.7 w on. Corrections of
-/// structures near the boundary are multiplied by it. With w of one and a half cells rules of
-/// p + 3 points resolve it, which they do not where exp(−(ω/w)⁴) has the same reach.
-Field faded(const Field& omega, double width);
+/// unless the file has functions of these names.
+ExpressionScope structure_scope(const Problem& problem, int unknowns, const CellSides& cell);
+/// exp(−(d/c)²) with c = `cells` and d² = ω²/Σ(hᵢ ∂ᵢω)², how many cells with sides hᵢ it is to ω =
+/// 0 to first order: 1 where ω = 0, with no slope there, below 10⁻⁶ from 3.7 c on. Corrections of
+/// structures near the boundary are multiplied by it. It fades in cells of any shape as slowly as
+/// rules of p + 3 points can resolve with c = 1.5 (exp(−(d/c)⁴) with the same reach does not), and
+/// away from primitives that level off near their boundary, as that of a slender ellipse does.
+Field faded(const Field& omega, double cells, const CellSides& cell);
 /// The shortest side of a cell.
 double cell_side(const Grid& grid);
 
@@ -34,7 +44,7 @@ double cell_side(const Grid& grid);
 /// or cannot be written.
 std::optional<std::string> structure_line(const Structure& structure, const Problem& problem,
                                           const std::vector<PieceCondition>& conditions,
-                                          double cell,
+                                          const CellSides& cell,
                                           const std::vector<Structure::Call>& calls = {});
 
 }  // namespace rfm

@@ -23,7 +23,8 @@ const DocumentNode* structure_node(const Problem& problem) {
   throw ProblemFileErrors({Mistake{message, place}});
 }
 
-UserStructure read_structure(const DocumentNode& node, const Problem& problem, double cell) {
+UserStructure read_structure(const DocumentNode& node, const Problem& problem,
+                             const CellSides& cell) {
   try {
     const Expression text(node.text);
     const bool is_alone = problem.physics.unknowns.size() == 1 && text.uses("psi");
@@ -36,7 +37,7 @@ UserStructure read_structure(const DocumentNode& node, const Problem& problem, d
 
 }  // namespace
 
-std::vector<UserStructure> user_structures(const Problem& problem, double cell) {
+std::vector<UserStructure> user_structures(const Problem& problem, const CellSides& cell) {
   const DocumentNode* node = structure_node(problem);
   if (!node) return {};
   const std::vector<std::string>& unknowns = problem.physics.unknowns;

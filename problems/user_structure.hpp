@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "problems/boundary_conditions.hpp"
+#include "problems/structure_language.hpp"
 #include "solution_structures/structure.hpp"
 
 namespace rfm {
@@ -20,6 +21,6 @@ struct UserStructure {
 /// which psi1 … psi_c are what the unknowns are made of, in their order, and share their degrees.
 /// `cell` is the shortest side of a cell (`near`). Throws `ProblemFileErrors` where a text has no
 /// meaning or is not affine in the undetermined functions, and where an unknown has none.
-std::vector<UserStructure> user_structures(const Problem& problem, double cell);
+std::vector<UserStructure> user_structures(const Problem& problem, const CellSides& cell);
 
 }  // namespace rfm

@@ -38,7 +38,7 @@ Structure mixed(const std::vector<ConditionPart>& parts, const Structure& psi,
 }
 
 Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
-                    const Structure& psi, const std::optional<Field>& values) {
+                    const Structure& psi, const std::optional<PrescribedValues>& values) {
   Structure u = w;
   Field remainder = 0.0;
   for (const NaturalPart& part : natural) {
@@ -46,11 +46,15 @@ Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
     Field share = part.cutoff;
     for (const NaturalPart& other : natural)
       if (&other != &part) share = share * (pow(other.omega, 2) / (pow(other.omega, 2) + square));
-    const Field correction = share * part.omega;
-    u = u - (values ? correction * (*values / (*values + square)) : correction) * part.excess;
+    Field correction = share * part.omega;
+    if (values) {
+      const Field far = pow(values->distance, 2);
+      correction = correction * (far / (far + pow(part.omega / values->length, 2)));
+    }
+    u = u - correction * part.excess;
     remainder = remainder + share * square;
   }
-  return u + (values ? *values * remainder : remainder) * psi;
+  return u + (values ? values->omega * remainder : remainder) * psi;
 }
 
 }  // namespace rfm

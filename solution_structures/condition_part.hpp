@@ -46,12 +46,22 @@ struct NaturalPart {
   Field cutoff = 1.0;
 };
 
+/// What is zero where a structure takes prescribed values.
+struct PrescribedValues {
+  Field omega;  ///< multiplies what is added to u
+  /// Zero to first order there, without dimension: weighs corrections against ω/`length`.
+  Field distance;
+  double length = 1;
+};
+
 /// Conditions of first order on top of a structure w, without quotients between data. Our own form:
 ///
-///     u = w − Σᵢ χᵢ ωᵢ ω₀/(ω₀ + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ² ,
+///     u = w − Σᵢ χᵢ ωᵢ d²/(d² + (ωᵢ/L)²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ² ,
 ///
-/// where w takes the prescribed values on ω₀ = 0 (a Dirichlet structure; without `values`, Ψ1
-/// itself and ω₀ = ∞), Rᵢ is the excess, and of several parts χᵢ stands for χᵢ Π ωⱼ²/(ωⱼ² + ωᵢ²).
+/// where w takes the prescribed values on ω₀ = d = 0 (a Dirichlet structure; without `values`, Ψ1
+/// itself and d = ∞), Rᵢ is the excess, and of several parts χᵢ stands for χᵢ Π ωⱼ²/(ωⱼ² + ωᵢ²).
+/// Where boundaries meet shares are homogeneous of degree 0, so that slopes of u are bounded, and
+/// rules have to be graded. (With ω₀/(ω₀ + ωᵢ²) slopes were like 1/r there, in layers of width r².)
 ///
 /// With χ = exp(−(ω/w)⁴) (`cutoff` of core/function_shaping.hpp), w from one to one and a half
 /// cells, corrections stay near the boundary, and Ψ needs no splines further away than 2.2 w. This
@@ -59,6 +69,6 @@ struct NaturalPart {
 /// p − 1, with a system whose smallest eigenvalue is 10⁻³ and not 0 as that of Ψ1 and ω² Ψ2
 /// everywhere (`tests/solvers/completeness_test.cpp`).
 Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
-                    const Structure& psi, const std::optional<Field>& values = {});
+                    const Structure& psi, const std::optional<PrescribedValues>& values = {});
 
 }  // namespace rfm

@@ -102,7 +102,9 @@ Structure corrected_near_boundary(const std::vector<StructureCondition>& conditi
     if (!is_value(piece))
       natural.push_back(
           {excess(w, piece, options.dimension), piece.omega, cutoff(piece.omega, *options.reach)});
-  return corrected(w, natural, Structure::undetermined(1), omega);
+  std::optional<PrescribedValues> prescribed;
+  if (omega) prescribed = {*omega, *omega};
+  return corrected(w, natural, Structure::undetermined(1), prescribed);
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ TEST(Corrected, DerivativesHoldOnTopOfValues) {
       return NaturalPart{normal_derivative_excess(w, omega, slope, 2), omega,
                          near ? cutoff(omega, 0.2) : 1.0};
     };
-    const Structure u =
-        corrected(w, {natural(square.bottom, c), natural(square.top, a)}, psi2, ends);
+    const Structure u = corrected(w, {natural(square.bottom, c), natural(square.top, a)}, psi2,
+                                  PrescribedValues{ends, ends});
     const auto upward = [](const auto& v) { return partial(v[0], 1); };
     EXPECT_LT(deviation(u, value(), g, square.left_points), 1e-12);
     EXPECT_LT(deviation(u, value(), g, square.right_points), 1e-12);
