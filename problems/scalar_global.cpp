@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "problems/continuation.hpp"
 #include "problems/problem_forms.hpp"
+#include "problems/residual_check.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/stopwatch.hpp"
 #include "solvers/free_functions.hpp"
@@ -162,6 +163,7 @@ void ScalarProblem::solve_global_forms(ScalarSolution& solution) const {
     for (const Field& component : conductive_flux(coefficients_, fields[0], problem_.dimension))
       solution.results.flux.push_back(with_solution(component, {&fields[0], 1}));
   solution.boundary_residual = boundary_residual(solution);
+  warn_of_residuals(*this, equations.fields(Eigen::VectorXd::Zero(equations.size())), solution);
   solution.seconds.solve = solve.seconds();
 }
 

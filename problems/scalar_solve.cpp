@@ -9,6 +9,7 @@
 #include "problems/flux_balance.hpp"
 #include "problems/pinned_constant.hpp"
 #include "problems/problem_forms.hpp"
+#include "problems/residual_check.hpp"
 #include "problems/scalar_problem.hpp"
 #include "problems/solution_jumps.hpp"
 #include "problems/stopwatch.hpp"
@@ -278,8 +279,11 @@ ScalarSolution ScalarProblem::solve(const Grid& grid) const {
   require_values(plans_, solution);
   const Discretization::Method method = problem_.discretization.method;
   if (method == Discretization::Method::least_squares ||
-      method == Discretization::Method::collocation)
+      method == Discretization::Method::collocation) {
     warn_of_imbalance(*this, solution);
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(solution.linear.coefficients.size());
+    warn_of_residuals(*this, solution_fields(structures, functions, zero), solution);
+  }
   return solution;
 }
 
