@@ -172,7 +172,11 @@ class CellSampler {
       Point gradient;
       const double value = level.value_and_gradient(point, gradient);
       const double slope = std::hypot(gradient[0], gradient[1], gradient[2]);
-      const bool zero = std::fabs(value) <= 1e-9 * scale_ * std::max(slope, 1e-9 * scale_);
+      const double unit = scale_ * std::max(slope, 1e-9 * scale_);
+      const bool zero = std::fabs(value) <= 1e-11 * unit;
+      // Neither on the surface nor clearly beside it: what belongs to the solid there depends on
+      // another tolerance than the sign.
+      if (!zero && std::fabs(value) <= 1e-9 * unit) return;
       signs.push_back(zero ? Truth::unknown : value > 0 ? Truth::yes : Truth::no);
     }
     if (!seen_[0].contains(signs) || !seen_[1].contains(signs)) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "core/bounding_box.hpp"
@@ -36,6 +37,20 @@ TEST(RegularForm, OfBoxesWithFlushSidesUsesEachSideOnce) {
   for (const auto& node : form->nodes())
     literals += node.kind == BooleanExpression::Kind::variable ? 1 : 0;
   EXPECT_EQ(literals, 6);  // four sides, and a sum of the two at the reentrant corner
+}
+
+// Cylinders end to end on slanted axes: their ends lie within 1e-15 of each other.
+TEST(RegularForm, OfShaftsThatAreFlushDoesNotDependOnRounding) {
+  for (const double unit : {1.0, 1000.0})
+    for (const Point& axis : {Point{1, 1, -2}, Point{1, 2, 3}, Point{3, -1, 0.7}}) {
+      const double length = std::hypot(axis[0], axis[1], axis[2]);
+      const Point first{2 * unit, 6 * unit, 9 * unit};
+      Point second = first;
+      for (int i = 0; i < 3; ++i) second[i] += 2.5 * unit * axis[i] / length;
+      const Region shaft = cylinder(first, axis, 5 * unit, 3 * unit).named("a") |
+                           cylinder(second, axis, 3 * unit, 2 * unit).named("b");
+      EXPECT_TRUE(form_of(shaft)) << unit << ", " << axis[2];
+    }
 }
 
 TEST(RegularForm, IsNotLookedForWithoutNeedNorFoundWhereThereIsNone) {
