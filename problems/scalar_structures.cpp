@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/regular_form.hpp"
 #include "core/tape.hpp"
+#include "problems/corner_notes.hpp"
 #include "problems/function_support.hpp"
 #include "problems/inner_structure.hpp"
 #include "problems/interpolation.hpp"
@@ -107,6 +108,12 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
     add_windows(functions);
   }
   require_natural(probe);
+  std::vector<PieceCondition> by_structure;
+  for (const DirichletPlan& plan : plans_)
+    by_structure.insert(by_structure.end(), plan.by_structure.begin(), plan.by_structure.end());
+  for (std::string& note :
+       corner_notes(conditions_, by_structure, natural_, !own.empty(), region_, bounds_))
+    plans_[0].remarks.push_back(std::move(note));
   for (const SetValue& value : inner_.values) {
     const auto deviation =
         deviation_from(value.where, value.component, value.value, structures_, probe);
