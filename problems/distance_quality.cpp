@@ -63,12 +63,11 @@ std::vector<std::pair<std::string, double>> distance_quality(const Field& omega,
     const QuadratureBlock block = blocks.block(number);
     const std::vector<double> on = slopes.at(block, 0), inside = slopes.at(block, beside);
     for (int point = 0; point < block.count; ++point) {
-      // Curvature changes the slope by 10⁻⁷ over this distance; an R-function of two zeros, whose
-      // derivative is 0 by convention, jumps.
-      const bool jumps = !(std::fabs(on[point] - inside[point]) <= 1e-3 * inside[point]);
-      const double slope = jumps ? inside[point] : on[point];
+      // On the point, unless the slope there is that of a convention, as of an R-function of two
+      // zeros; beside it, unless an edge is nearly as near as that. Elsewhere both are the same.
+      const double here = std::fabs(on[point] - 1), near = std::fabs(inside[point] - 1);
       double& deviation = deviations[block.numbers[point]];
-      deviation = std::max(deviation, std::fabs(slope - 1));
+      deviation = std::max(deviation, std::fmin(here, near));
     }
   }
   std::vector<std::pair<std::string, double>> result;
