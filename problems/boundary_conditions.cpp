@@ -7,6 +7,7 @@
 
 #include "core/boolean_simplification.hpp"
 #include "core/boundary_piece.hpp"
+#include "core/r_functions.hpp"
 #include "core/smooth_joints.hpp"
 #include "core/tape.hpp"
 #include "core/trim.hpp"
@@ -166,13 +167,19 @@ Field levelled(const Field& gamma, double length) {
 // set meet. Factors level off at the size of the domain, or the distance of one set would be a
 // product of large numbers where that of another is small, and the interpolant would change from
 // one to the other within a thin layer.
-Weight distance_from(const std::vector<PieceCondition>& pieces, const BooleanExpression& domain,
-                     const RegionEvaluator& region, const Box& bounds, const Primitives& bounding) {
+struct DistanceFromPieces {
+  Weight product{1.0, ""};
+  std::optional<Field> nearest;
+};
+DistanceFromPieces distance_from(const std::vector<PieceCondition>& pieces,
+                                 const BooleanExpression& domain, const RegionEvaluator& region,
+                                 const Box& bounds, const Primitives& bounding) {
   const double length = 1.0 * bounds.longest_side();
-  Weight distance{1.0, ""};
+  DistanceFromPieces distance;
   const auto multiply = [&](const Field& function, const std::string& formula) {
-    distance.function = distance.function * (levelled(function, length) / length);
-    distance.formula += (distance.formula.empty() ? "" : " * ") + formula;
+    distance.product.function = distance.product.function * (levelled(function, length) / length);
+    distance.product.formula += (distance.product.formula.empty() ? "" : " * ") + formula;
+    distance.nearest = distance.nearest ? conjunction(*distance.nearest, function) : function;
   };
   Primitives whole;
   for (const PieceCondition& piece : pieces)
@@ -331,7 +338,8 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
   Structure::Call call{{}, "transfinite", {}};
   for (const auto& group : groups) {
     Weight distance{1.0, ""};
-    if (groups.size() > 1) distance = distance_from(group, domain, region, bounds, bounding);
+    if (groups.size() > 1)
+      distance = distance_from(group, domain, region, bounds, bounding).product;
     const int exponent = group[0].clamped ? 2 : 1;
     data.push_back({group[0].data[0], distance.function, exponent});
     call.arguments.insert(call.arguments.end(),
@@ -340,7 +348,10 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     for (const PieceCondition& piece : group) pieces += (pieces.empty() ? "" : ", ") + piece.name;
     plan.data_sets.push_back({pieces, distance.formula});
   }
-  plan.distance = distance_from(plan.by_structure, domain, region, bounds, bounding).function;
+  const DistanceFromPieces distance =
+      distance_from(plan.by_structure, domain, region, bounds, bounding);
+  plan.distance = distance.product.function;
+  plan.nearest = distance.nearest.value_or(1.0);
   plan.data = transfinite_interpolant(data);
   plan.given = plan.data;
   if (groups.size() > 1) plan.given = plan.given.written_as(plan.data, call);

@@ -48,6 +48,8 @@ struct DirichletPlan {
   Weight weight{1.0, ""};  ///< ω; 1 where nothing is enforced by structure
   /// How far from all pieces with values by structure: zero on them, at most 1, without dimension.
   Field distance = 1.0;
+  /// How far from the nearest of them, to first order: an R₀-conjunction, which a product is not.
+  Field nearest = 1.0;
   /// The structure of the user's own, as text: then g is its inhomogeneous part, and ω is not used.
   std::string own_structure = {};
   /// The sets of equal data that g interpolates, and the functions that vanish on them.

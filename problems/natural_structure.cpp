@@ -6,6 +6,7 @@
 
 #include "core/boundary_piece.hpp"
 #include "core/error.hpp"
+#include "core/normalization_length.hpp"
 #include "core/trim.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/structure_language.hpp"
@@ -13,6 +14,7 @@
 #include "solution_structures/condition_part.hpp"
 #include "solution_structures/normal_conditions.hpp"
 #include "solvers/form_symbols.hpp"
+#include "solvers/integrate.hpp"
 
 namespace rfm {
 namespace {
@@ -71,12 +73,23 @@ Structure excess(const Structure& w, const NaturalPiece& piece,
   return oblique_excess(w, piece.omega, oblique);
 }
 
+// Shapes given by expressions are as steep as these.
+bool has_unit_slope(const Field& omega, int primitive, const DomainRule& rule) {
+  constexpr double rounding = 1e-6;
+  Field square = 0.0;
+  for (int axis = 0; axis < rule.dimension(); ++axis)
+    square = square + pow(partial(omega, axis), 2);
+  const Field off = step(abs(square - 1.0) - rounding);
+  return !(maximum(off, rule, {Contribution::Place::boundary, {primitive}}) > 0);
+}
+
 }  // namespace
 
 std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& conditions,
                                          const Problem& problem,
                                          const ScalarCoefficients& coefficients,
-                                         const RegionEvaluator& region, const Box& bounds) {
+                                         const RegionEvaluator& region, const Box& bounds,
+                                         const DomainRule& rule) {
   std::vector<NaturalPiece> pieces;
   for (const PieceCondition& condition : conditions) {
     if (condition.kind == Condition::Kind::value ||
@@ -88,7 +101,10 @@ std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& cond
           {Mistake{fmt::format("the condition at '{}' cannot be enforced by structure: {}",
                                condition.name, reason),
                    problem.conditions[condition.condition].place}});
-    Field omega = boundary_piece(condition.primitive, region, bounds).from_inside;
+    const BoundaryPiece piece = boundary_piece(condition.primitive, region, bounds);
+    Field omega = piece.from_inside;
+    if (piece.whole && !has_unit_slope(omega, condition.primitive, rule))
+      omega = normalize_within(omega, bounds.longest_side(), bounds.dimension);
     if (condition.where) omega = trim_from_inside(omega, *condition.where, bounds.longest_side());
     pieces.push_back({condition, omega});
   }

@@ -22,18 +22,20 @@ struct NaturalPiece {
 /// The natural conditions among `conditions` that are to hold by structure (`enforce: structure`).
 /// Throws `ProblemFileErrors` with the place of those that no structure has: data or coefficients
 /// that contain the solution, that jump between materials, or that are undefined inside the domain;
-/// functions of the whole domain.
+/// functions of the whole domain. Functions of pieces that are steeper or flatter than 1 on the
+/// boundary points of `rule` are normalised.
 std::vector<NaturalPiece> natural_pieces(const std::vector<PieceCondition>& conditions,
                                          const Problem& problem,
                                          const ScalarCoefficients& coefficients,
-                                         const RegionEvaluator& region, const Box& bounds);
+                                         const RegionEvaluator& region, const Box& bounds,
+                                         const DomainRule& rule);
 
 /// A structure w, corrected next to these pieces so that it satisfies their conditions, too:
 ///
-///     w − Σᵢ χᵢ ωᵢ d²/(d² + (ωᵢ/L)²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ²
+///     w − Σᵢ χᵢ ωᵢ d²/(d² + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ²
 ///
-/// (`corrected` of solution_structures/condition_part.hpp), ω₀ and d, without dimension, being zero
-/// where w takes prescribed values; L is the size of the domain. The cutoffs χ are `faded` with a
+/// (`corrected` of solution_structures/condition_part.hpp), ω₀ and d being zero where w
+/// takes prescribed values. The cutoffs χ are `faded` with a
 /// width of one and a half cells, told as calls to be written `near(omega, 1.5)`. Ψ has the number
 /// `remainder`.
 struct NaturalStructure {

@@ -81,7 +81,7 @@ bool contains(const std::vector<PieceCondition>& list, const PieceCondition& con
 }  // namespace
 
 void ScalarProblem::plan_values(const DomainRule& probe) {
-  natural_ = natural_pieces(conditions_, problem_, coefficients_, region_, bounds_);
+  natural_ = natural_pieces(conditions_, problem_, coefficients_, region_, bounds_, probe);
   inner_ = structure_options(problem_);
   const std::vector<UserStructure> own = user_structures(problem_, cell_sides(probe.grid()));
   if (!own.empty()) {
@@ -115,6 +115,8 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
        corner_notes(conditions_, by_structure, natural_, !own.empty(), region_, bounds_))
     plans_[0].remarks.push_back(std::move(note));
   for (const SetValue& value : inner_.values) {
+    if (!reaches(value.where, probe))
+      refuse(fmt::format("'{}' lies outside of the domain", value.set), value.place);
     const auto deviation =
         deviation_from(value.where, value.component, value.value, structures_, probe);
     if (!is_met(deviation))
@@ -263,7 +265,7 @@ void ScalarProblem::require_natural(const DomainRule& probe) const {
 NaturalStructure ScalarProblem::natural_structure(const Grid& grid) const {
   std::optional<PrescribedValues> values;
   if (!plans_[0].weight.function.is_constant())
-    values = {plans_[0].weight.function, plans_[0].distance, bounds_.longest_side()};
+    values = {plans_[0].weight.function, plans_[0].nearest};
   return with_natural_conditions(structures_[0], values, natural_, coefficients_, bounds_,
                                  cell_sides(grid), structures_[0].unknown_count());
 }

@@ -63,15 +63,12 @@ bool ScalarProblem::fixed_up_to_constant() const {
 }
 
 // Where a direction is along the boundary it says nothing of the flux, so that there is no weak
-// form.
+// form. Where it goes over from outwards to inwards the problem is not well posed by any method.
 void ScalarProblem::check_directions(const DomainRule& rule) const {
   using Method = Discretization::Method;
   const Method method = problem_.discretization.method;
-  if (method == Method::least_squares || method == Method::collocation) return;
   for (const PieceCondition& condition : conditions_) {
-    if (condition.kind != Condition::Kind::oblique ||
-        condition.enforcement == Condition::Enforcement::structure)
-      continue;
+    if (condition.kind != Condition::Kind::oblique) continue;
     const std::vector<Field> normal = outward_normal(condition.primitive, region_);
     Field along = 0.0, square = 0.0;
     for (int axis = 0; axis < problem_.dimension; ++axis) {
@@ -79,9 +76,21 @@ void ScalarProblem::check_directions(const DomainRule& rule) const {
       square = square + pow(condition.data[axis + 1], 2);
     }
     constexpr double least = 1e-3;
-    const Field tangential = step(least * least * square - along * along);
-    if (maximum(condition.where ? tangential * step(*condition.where) : tangential, rule,
-                {Contribution::Place::boundary, {condition.primitive}}) > 0)
+    const auto occurs = [&](const Field& where) {
+      return maximum(condition.where ? where * step(*condition.where) : where, rule,
+                     {Contribution::Place::boundary, {condition.primitive}}) > 0;
+    };
+    const Field oblique = least * sqrt(square);
+    if (occurs(step(along - oblique)) && occurs(step(-along - oblique)))
+      throw ProblemFileErrors({Mistake{
+          fmt::format("the direction at '{}' points outwards here and inwards there: where it is "
+                      "along the boundary between, u is not determined",
+                      condition.name),
+          problem_.conditions[condition.condition].place}});
+    if (method == Method::least_squares || method == Method::collocation ||
+        condition.enforcement == Condition::Enforcement::structure)
+      continue;
+    if (occurs(step(least * least * square - along * along)))
       throw ProblemFileErrors({Mistake{
           fmt::format("the derivative at '{}' is one along the boundary: by least squares or "
                       "collocation only (discretization.method)",

@@ -204,6 +204,22 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
   return Misses(structures, static_cast<std::size_t>(unknown), rule, points).of_value(value);
 }
 
+bool reaches(const ThinSet& set, const DomainRule& rule) {
+  const Tape distance({set.function}, {0}, rule.dimension());
+  const double near = 2 * cell_side(rule.grid());
+  const auto any = [&](const VolumePoints& points) {
+    for (int i = 0; i < points.size(); ++i)
+      if (distance.value(points.point(i)) <= near) return true;
+    return false;
+  };
+  if (any(rule.cut_points())) return true;
+  return std::ranges::any_of(rule.inside_cells(), [&](int cell) {
+    VolumePoints inside;
+    rule.add_inside_points(cell, inside);
+    return any(inside);
+  });
+}
+
 std::string deviation_text(const StructureDeviation& deviation, int dimension) {
   return fmt::format(
       "it is {:.3g} off at ({:.4g}, {:.4g}{}) for {}", deviation.largest, deviation.place[0],

@@ -30,6 +30,9 @@ std::optional<StructureDeviation> deviation_from(const ThinSet& set, int unknown
                                                  const std::vector<Structure>& structures,
                                                  const DomainRule& rule);
 
+/// Whether points of the domain, of those of a rule, are near a set: within two cells.
+bool reaches(const ThinSet& set, const DomainRule& rule);
+
 /// Whether a deviation is rounding, by its scale. One that is not a number is none.
 bool is_met(const std::optional<StructureDeviation>& deviation);
 

@@ -80,6 +80,8 @@ class OptionsReader {
     if (const DocumentNode* enforce = item.find("enforce"); enforce && enforce->text == "weak")
       return add("a value on a set can be enforced by structure only", enforce->place);
     const std::vector<std::string>& unknowns = problem_.physics.unknowns;
+    for (const SetValue& earlier : options_.values)
+      if (earlier.set == name) return add("'" + name + "' has a value already", at.place);
     if (!value->is_map()) {
       if (unknowns.size() > 1)
         return add("there are several unknowns: expected {" + unknowns[0] + ": .., " + unknowns[1] +

@@ -49,7 +49,7 @@ Structure corrected(const Structure& w, const std::vector<NaturalPart>& natural,
     Field correction = share * part.omega;
     if (values) {
       const Field far = pow(values->distance, 2);
-      correction = correction * (far / (far + pow(part.omega / values->length, 2)));
+      correction = correction * (far / (far + square));
     }
     u = u - correction * part.excess;
     remainder = remainder + share * square;

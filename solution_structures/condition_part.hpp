@@ -49,14 +49,14 @@ struct NaturalPart {
 /// What is zero where a structure takes prescribed values.
 struct PrescribedValues {
   Field omega;  ///< multiplies what is added to u
-  /// Zero to first order there, without dimension: weighs corrections against ω/`length`.
+  /// How far that is, to first order: weighs corrections against their ω. A product of several
+  /// such functions would be far too small.
   Field distance;
-  double length = 1;
 };
 
 /// Conditions of first order on top of a structure w, without quotients between data. Our own form:
 ///
-///     u = w − Σᵢ χᵢ ωᵢ d²/(d² + (ωᵢ/L)²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ² ,
+///     u = w − Σᵢ χᵢ ωᵢ d²/(d² + ωᵢ²) Rᵢ(w) + Ψ ω₀ Σᵢ χᵢ ωᵢ² ,
 ///
 /// where w takes the prescribed values on ω₀ = d = 0 (a Dirichlet structure; without `values`, Ψ1
 /// itself and d = ∞), Rᵢ is the excess, and of several parts χᵢ stands for χᵢ Π ωⱼ²/(ωⱼ² + ωᵢ²).
