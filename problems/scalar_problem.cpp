@@ -203,6 +203,11 @@ void ScalarProblem::plan_periodic(const DomainRule& probe) {
         "squares with normal equations",
         place);
   check_periodic(structures(probe.grid()), periodic_, probe);
+  // What is to hold there holds of every function: no residual says more.
+  for (PieceCondition& condition : conditions_)
+    for (const PeriodicPair& pair : periodic_)
+      if (condition.primitive == pair.first || condition.primitive == pair.second)
+        condition.enforcement = Condition::Enforcement::structure;
 }
 
 void ScalarProblem::check_no_robin() const {
