@@ -52,7 +52,7 @@ class DatumReader {
         } else if (!all) {
           all = std::move(datum);
         } else {
-          all->data.distance = all->data.distance * datum.data.distance;
+          all->data.further_distances.push_back(datum.data.distance);
           all->name += ", " + datum.name;
         }
       }
@@ -165,7 +165,8 @@ SetData piece_data(const PieceCondition& condition, const RegionEvaluator& regio
                    const Box& bounds) {
   const BoundaryPiece piece = boundary_piece(condition.primitive, region, bounds);
   SetData data;
-  data.distance = condition.where ? trim(piece.function, *condition.where) : piece.from_inside;
+  data.distance = condition.where ? trim(piece.function, *condition.where, bounds.longest_side())
+                                  : piece.from_inside;
   if (condition.kind == Condition::Kind::value) data.value = condition.data[0];
   data.derivatives.assign(condition.data.begin() + (data.value ? 1 : 0), condition.data.end());
   data.side = -outward_sign(condition.primitive, region) *
@@ -251,7 +252,7 @@ Interpolation interpolation(const Problem& problem, const std::vector<PieceCondi
     const auto same =
         std::ranges::find_if(sets, [&](const SetData& other) { return are_one(other, data); });
     if (same != sets.end()) {
-      same->distance = same->distance * data.distance;
+      same->further_distances.push_back(data.distance);
       continue;
     }
     sets.push_back(data);

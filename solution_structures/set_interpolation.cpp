@@ -22,6 +22,14 @@ void check(const SetData& set) {
                           ": it must be larger");
 }
 
+// Zero on the set and on those that are one with it, at most 1, without dimension.
+Field whole_distance(const SetData& set, double length) {
+  Field distance = level_off(set.distance, length) / length;
+  for (const Field& further : set.further_distances)
+    distance = distance * (level_off(further, length) / length);
+  return distance;
+}
+
 // ω as Taylor polynomials of this order need it. The corrections of higher orders are good near the
 // set; beyond the length of their normalisation they level off, before they grow.
 Field levelled(const Field& side, int order, double length, int dimension) {
@@ -30,7 +38,7 @@ Field levelled(const Field& side, int order, double length, int dimension) {
 }
 
 ConditionPart part_with_value(const SetData& set, double length, int dimension) {
-  const Field distance = level_off(set.distance, length) / length;
+  const Field distance = whole_distance(set, length);
   const auto order = static_cast<int>(set.derivatives.size());
   const int exponent = set.exponent == 0 ? order + 1 : set.exponent;
   if (order == 0) return {*set.value, distance, exponent};
@@ -58,7 +66,7 @@ Structure interpolated(const std::vector<SetData>& sets, double length, int dime
     if (set.value) continue;
     const Field omega = levelled(*set.side, 1, length, dimension);
     const ConditionPart part = normal_derivative_part(values, omega, set.derivatives[0], dimension);
-    parts.push_back({part.polynomial, level_off(set.distance, length) / length,
+    parts.push_back({part.polynomial, whole_distance(set, length),
                      set.exponent == 0 ? part.exponent : set.exponent});
   }
   return transfinite(parts);

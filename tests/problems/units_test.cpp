@@ -111,6 +111,22 @@ geometry:
 conditions: [{at: all, value: 0}]
 )",
      {0.9, 0.5, 0.1}},
+    {"interpolant of sides and sets",
+     2,
+     R"(
+sets: {wire: {segment: {from: [0.4*L, 0.3*L], to: [0.9*L, 0.3*L]}}}
+geometry:
+  shapes:
+    b: {box: {min: [0, 0], max: [2*L, L]}}
+    h: {circle: {center: [1.5*L, 0.5*L], radius: 0.2*L}}
+  domain: b - h
+conditions:
+  - {at: b, value: sin(2*x/L + y/L)}
+  - {at: h, value: cos(x/L), normal_derivative: 3/L, second_normal_derivative: 2/L^2}
+  - {at: wire, value: x/L, normal_derivative: 2/L}
+)",
+     {0.6, 0.8, 0},
+     "{type: interpolation}"},
 };
 
 double value_in_unit(const Case& one, double unit) {

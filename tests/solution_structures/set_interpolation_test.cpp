@@ -91,6 +91,28 @@ TEST(SetInterpolation, IsTheSameInEveryUnitOfLength) {
   EXPECT_NEAR(value_at(in_unit(1), {0.3, 0.4}), value_at(in_unit(1000), {300, 400}), 1e-13);
 }
 
+TEST(SetInterpolation, OfSeveralSetsAndSecondDerivativesIsTheSameInEveryUnitOfLength) {
+  const auto in_unit = [](double unit) {
+    const Field a = x / unit, b = y / unit, edge = unit * (1 - a * a - b * b / 4) / 2;
+    const Field side = normalize(edge, 2, 1, unit);
+    return interpolated(
+               {{side, b, {3.0 / unit, a / (unit * unit)}, side},
+                {unit * abs(2 - a), a + 1, {}, {}, 0, {unit * abs(2 + a), unit * abs(3 - b)}}},
+               4 * unit, 2)
+        .inhomogeneous();
+  };
+  const Field one = in_unit(1);
+  for (const double unit : {1e-6, 1e-3, 1e3, 1e6}) {
+    const Field other = in_unit(unit);
+    EXPECT_NEAR(value_at(other, {0.3 * unit, 0.4 * unit}), value_at(one, {0.3, 0.4}), 1e-12)
+        << unit;
+    // On the ellipse at (1, 0), whose normal is the x axis.
+    EXPECT_NEAR(value_at(directional_derivative(other, {1.0, 0.0}, 2), {unit, 0}) * unit * unit, 1,
+                1e-8)
+        << unit;
+  }
+}
+
 TEST(SetInterpolation, ExponentsDecideHowFlatItIsNextToASet) {
   // d/dx at x = 1 is that of the datum only with an exponent of 2 at least.
   const auto slope = [](int exponent) {
