@@ -54,29 +54,45 @@ void require_continuous_conductivity(const ScalarProblem& problem) {
             "see the flux across them; expected ritz or galerkin");
 }
 
+// An interface leaves the slope free to jump; how much it does, the flux across it tells.
+void require_no_interfaces(const Problem& problem) {
+  const StructureOptions options = structure_options(problem);
+  if (options.interfaces.empty()) return;
+  refuse_at(options.interfaces[0].place,
+            "least squares and collocation do not go with interfaces: residuals do not see the "
+            "flux across them; expected ritz or galerkin");
+}
+
+// The highest order of derivatives of an unknown in equations.
+int order_in(const std::vector<Form>& forms, int component) {
+  int order = 0;
+  for (const Form& form : forms)
+    for (const SymbolSlot& slot : form.slots())
+      if (slot.slot.component == component) order = std::max(order, degree(slot.slot.derivative));
+  return order;
+}
+
 // Splines of degree p have p derivatives that are integrable, and lose all orders beyond.
-void require_degree(const Problem& problem, const std::vector<Form>& forms) {
-  const Discretization& discretization = problem.discretization;
-  if (discretization.basis != Discretization::Basis::bspline) return;
-  for (std::size_t c = 0; c < problem.physics.unknowns.size(); ++c) {
-    const std::string& name = problem.physics.unknowns[c];
-    const auto own = discretization.degrees.find(name);
-    const bool has_own = own != discretization.degrees.end();
-    const int degree = has_own ? own->second : discretization.degree;
-    int order = 0;
-    for (const Form& form : forms)
-      for (const SymbolSlot& slot : form.slots())
-        if (slot.slot.component == static_cast<int>(c))
-          order = std::max(order, rfm::degree(slot.slot.derivative));
-    if (order <= degree) continue;
-    const DocumentNode* node = &problem.document;
-    for (const char* key : {"discretization", "basis", "degrees"})
-      if (const DocumentNode* inner = node->find(key)) node = inner;
+[[noreturn]] void refuse_degree(const Problem& problem, int component, int order,
+                                const Structure::Term& term, int degree) {
+  const std::string& name = problem.physics.unknowns[component];
+  const DocumentNode* node = &problem.document;
+  for (const char* key : {"discretization", "basis", "degrees"})
+    if (const DocumentNode* inner = node->find(key)) node = inner;
+  const int in_structure = rfm::degree(term.derivative);
+  if (in_structure == 0)
     refuse_at(node->place,
               fmt::format("splines of degree {} have no derivatives of order {}, which the "
                           "equations contain{}; expected a degree of {} or more",
-                          degree, order, has_own ? " of '" + name + "'" : "", order));
-  }
+                          degree, order,
+                          problem.discretization.degrees.contains(name) ? " of '" + name + "'" : "",
+                          order));
+  refuse_at(node->place,
+            fmt::format("splines of degree {} have no derivatives of order {}: the structure of "
+                        "'{}' contains those of order {}, and the equations those of '{}' of order "
+                        "{}; expected a degree of {} or more",
+                        degree, order + in_structure, name, in_structure, name, order,
+                        order + in_structure));
 }
 
 // Whether a form depends on an unknown, and not by a part that is multiplied by zero; what is not
@@ -223,13 +239,38 @@ bool uses_forms(const ScalarProblem& problem) {
   });
 }
 
+int function_degree(const ScalarProblem& problem, int function) {
+  const Discretization& discretization = problem.problem().discretization;
+  const int unknowns = problem.unknown_count();
+  for (const Window& window : problem.windows())
+    if (function >= window.function && function < window.function + unknowns)
+      return window.option.degree.value_or(function_degree(problem, function - window.function));
+  if (function >= unknowns) return discretization.degree;
+  const auto own = discretization.degrees.find(problem.problem().physics.unknowns[function]);
+  return own == discretization.degrees.end() ? discretization.degree : own->second;
+}
+
+void require_degrees(const ScalarProblem& problem, const Grid& grid,
+                     const std::vector<int>& orders) {
+  if (problem.problem().discretization.basis != Discretization::Basis::bspline) return;
+  const std::vector<Structure> structures = problem.structures(grid);
+  for (int c = 0; c < problem.unknown_count(); ++c)
+    for (const Structure::Term& term : structures[c].terms()) {
+      const int degree = function_degree(problem, term.unknown);
+      if (orders[c] + rfm::degree(term.derivative) > degree)
+        refuse_degree(problem.problem(), c, orders[c], term, degree);
+    }
+}
+
 std::vector<Form> problem_forms(const ScalarProblem& problem, const Grid& grid) {
   const double h = cell_size(problem.problem(), grid);
   std::vector<Form> list =
       problem.problem().physics.custom
           ? custom_forms(problem.problem(), problem.region(), problem.bounding_primitives())
           : scalar_forms(problem, h);
-  require_degree(problem.problem(), list);
+  std::vector<int> orders;
+  for (int c = 0; c < problem.unknown_count(); ++c) orders.push_back(order_in(list, c));
+  require_degrees(problem, grid, orders);
   if (problem.problem().physics.custom) {
     require_every_unknown(problem.problem(), list);
     require_continuous_coefficients(problem.problem(), list);
@@ -262,6 +303,7 @@ std::optional<double> energy_of_forms(const ScalarProblem& problem,
 
 void check_method(const Problem& problem) {
   require_one_stop(problem);
+  if (uses_residuals(problem)) require_no_interfaces(problem);
   if (!problem.physics.custom) return;
   const CustomPhysics& custom = *problem.physics.custom;
   const bool has_residuals = custom.kind == CustomPhysics::Kind::residuals;

@@ -112,6 +112,7 @@ int coefficient_count(std::span<const TensorProductSpace> spaces) {
 
 std::vector<Contribution> ScalarProblem::contributions(const Grid& grid) const {
   const int dimension = problem_.dimension;
+  require_degrees(*this, grid, {1});
   std::vector<Contribution> list{volume_energy(coefficients_, dimension)};
   for (const PieceCondition& condition : conditions_)
     for (Contribution& natural : natural_energy(condition, coefficients_))

@@ -49,13 +49,7 @@ void ScalarProblem::check_windows() const {
 }
 
 int ScalarProblem::function_degree(int function) const {
-  const Discretization& discretization = problem_.discretization;
-  for (const Window& window : windows_)
-    if (function >= window.function && function < window.function + unknown_count())
-      return window.option.degree.value_or(function_degree(function - window.function));
-  if (function >= unknown_count()) return discretization.degree;
-  const auto own = discretization.degrees.find(problem_.physics.unknowns[function]);
-  return own == discretization.degrees.end() ? discretization.degree : own->second;
+  return rfm::function_degree(*this, function);
 }
 
 std::vector<std::vector<std::uint8_t>> ScalarProblem::function_cells(const DomainRule& rule) const {
