@@ -94,7 +94,14 @@ void ScalarProblem::solve_at_points(const std::vector<Form>& equations,
   if (squares) {
     newton = solve_collocation(structures, functions, equations, solution.rule, options);
   } else if (discretization.points == Discretization::Points::gauss) {
-    newton = solve_collocation(structures, functions, equations, collocation_rule(grid), options);
+    try {
+      newton = solve_collocation(structures, functions, equations, collocation_rule(grid), options);
+    } catch (const SingularSystem&) {
+      if (function_count() == unknown_count()) throw;
+      throw ComputationError(
+          "functions of the structure describe the same u at the points of collocation, which do "
+          "not tell them apart: ritz, galerkin and least squares do without");
+    }
   } else {
     if (function_count() > unknown_count())
       throw ComputationError(

@@ -45,7 +45,8 @@ class SetMaximum {
 
   Extreme run(const std::vector<Point>& points) {
     for (const Point& point : points) offer(point);
-    for (const Point& end : set_.points) offer(end);
+    // At an end data may meet that differ, so that f is not defined there.
+    for (const Point& end : set_.points) offer(end, false);
     if (!std::isfinite(best_.value))
       throw ComputationError("a probe over a set has no points: no part of it is in the domain");
     const Point start = best_.at;
@@ -70,7 +71,7 @@ class SetMaximum {
  private:
   void improve(StationaryPoints& stationary, std::vector<int>& active, int first, int count,
                const Point& start) {
-    if (const auto place = stationary.find(active, start, 2 * reach_)) offer(*place);
+    if (const auto place = stationary.find(active, start, 2 * reach_)) offer(*place, false);
     if (static_cast<int>(active.size()) == set_.dimension) return;
     for (int k = first; k < count; ++k) {
       active.push_back(k);
@@ -79,10 +80,11 @@ class SetMaximum {
     }
   }
 
-  void offer(const Point& place) {
+  void offer(const Point& place, bool must_be_defined = true) {
     if (!region_.contains(place, 1e-12 * scale_)) return;
     if (!(values_.value(place, 1) >= -1e-12 * scale_)) return;
     const double value = values_.value(place);
+    if (!std::isfinite(value) && !must_be_defined) return;
     if (!std::isfinite(value))
       throw ComputationError("its value is not a finite number at the point " +
                              point_text(place, set_.dimension) +

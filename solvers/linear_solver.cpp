@@ -26,9 +26,10 @@ struct ScaledSystem {
   }
 };
 
-SparseMatrix shifted(SparseMatrix lower, double shift) {
-  for (Eigen::Index i = 0; i < lower.rows(); ++i) lower.coeffRef(i, i) += shift;
-  return lower;
+SparseMatrix shifted(SparseMatrix matrix, double shift) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
+  matrix.makeCompressed();
+  return matrix;
 }
 
 Eigen::VectorXd solve_directly(const ScaledSystem& system, const LinearSolverOptions& options,
@@ -119,13 +120,19 @@ bool has_saddle(const SparseMatrix& lower, const Eigen::VectorXd& factors) {
 }
 
 // R K C y = R f, with c = C y.
-LinearSolution solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& load) {
+LinearSolution solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& load,
+                             const LinearSolverOptions& options) {
   const Equilibration scaling(matrix);
   require_no_load(load, scaling.rows);
   const SparseMatrix scaled = scaling.apply(matrix);
   const Eigen::VectorXd right_hand_side = scaling.rows.cwiseProduct(load);
-  const GeneralFactorization factorization(scaled);
-  const Eigen::VectorXd solution = factorization.solve(right_hand_side);
+  const SparseMatrix factorized =
+      options.regularization > 0 ? shifted(scaled, options.regularization) : scaled;
+  const GeneralFactorization factorization(factorized);
+  Eigen::VectorXd solution = factorization.solve(right_hand_side);
+  if (options.regularization > 0)
+    for (int step = 0; step < options.refinement_steps; ++step)
+      solution += factorization.solve(right_hand_side - scaled * solution);
   LinearSolution result;
   result.method = LinearSolution::Method::lu;
   result.dropped = scaling.dropped;
@@ -142,10 +149,11 @@ LinearSolution solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& 
 LinearSolution solve(const LinearSystem& system, const LinearSolverOptions& options) {
   if (!system.right_hand_side.allFinite())
     throw ComputationError("the right-hand side contains a number that is not finite");
-  if (!system.symmetric) return solve_general(system.matrix, system.right_hand_side);
+  if (!system.symmetric) return solve_general(system.matrix, system.right_hand_side, options);
   const DiagonalScaling scaling(system.matrix);
   if (scaling.dropped > 0 && has_saddle(system.matrix, scaling.factors))
-    return solve_general(system.matrix.selfadjointView<Eigen::Lower>(), system.right_hand_side);
+    return solve_general(system.matrix.selfadjointView<Eigen::Lower>(), system.right_hand_side,
+                         options);
   const ScaledSystem scaled{scaling.apply(system.matrix),
                             scaling.factors.cwiseProduct(system.right_hand_side),
                             system.elimination_order};
