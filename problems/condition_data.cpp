@@ -79,6 +79,7 @@ class ConditionDataReader {
     } else if (const DocumentNode* robin = values_.find(node_, "robin")) {
       condition_.kind = Kind::robin;
       for (const char* key : {"a", "b", "c"}) add(key, values_.find(*robin, key));
+      refuse_zero(values_.find(*robin, "b"));
     } else if (const DocumentNode* slope = values_.find(node_, "normal_derivative")) {
       condition_.kind = Kind::robin;
       add_text("a", *slope, "0");
@@ -91,6 +92,17 @@ class ConditionDataReader {
       condition_.kind = Kind::oblique;
       read_oblique(*oblique);
     }
+  }
+
+  // b of a u + b du/dn = c.
+  void refuse_zero(const DocumentNode* b) {
+    if (!b || !values_.fits(*b)) return;
+    try {
+      if (to_number(Expression(b->text), values_.number_scope) != 0) return;
+    } catch (const InputError&) {  // a formula, or its mistake is reported
+      return;
+    }
+    values_.mistakes.add("b must not vanish: what is left of robin then is a value", b->place);
   }
 
   void read_clamped(const DocumentNode& clamped) {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "problems/structure_check.hpp"
+#include "solvers/integrate.hpp"
 
 namespace rfm {
 namespace {
@@ -33,6 +36,8 @@ void check_remainder(const RemainderOption& remainder, const Problem& problem,
   if (plans[0].by_structure.empty())
     refuse("no value is prescribed by structure, so that nothing is multiplied by a remainder",
            remainder.place);
+  if (structures[0].terms().empty())
+    refuse("the remainder is 0: nothing is left to be solved", remainder.place);
   for (const PieceCondition& condition : plans[0].by_structure)
     if (const auto deviation = deviation_from(condition, structures, coefficients, rule, region);
         !is_met(deviation))
@@ -40,6 +45,17 @@ void check_remainder(const RemainderOption& remainder, const Problem& problem,
                          condition.clamped ? ", with its slope" : "",
                          deviation_text(*deviation, problem.dimension)),
              remainder.place);
+}
+
+std::optional<std::string> remainder_note(const RemainderOption& remainder,
+                                          const DomainRule& rule) {
+  const Field& factor = remainder.factor;
+  const double above = maximum(select(step(factor), factor, 0.0), rule),
+               below = maximum(select(step(-factor), factor, 0.0), rule);
+  constexpr double rounding = 1e-9;  // at points of the boundary
+  if (std::min(above, below) <= rounding * std::max(above, below)) return std::nullopt;
+  return "the remainder changes its sign inside the domain: where it is 0 there, u is the data, "
+         "whatever the equation";
 }
 
 }  // namespace rfm

@@ -21,11 +21,14 @@ struct RemainderOption {
 std::optional<RemainderOption> remainder_option(const Problem& problem);
 
 /// Throws `ProblemFileErrors` unless the structure that was made with it takes the values of
-/// `plan`.
+/// `plan` and leaves something to be solved.
 void check_remainder(const RemainderOption& remainder, const Problem& problem,
                      const std::vector<DirichletPlan>& plans,
                      const std::vector<Structure>& structures,
                      const ScalarCoefficients& coefficients, const DomainRule& rule,
                      const RegionEvaluator& region);
+
+/// What the user should know: that it changes its sign inside the domain.
+std::optional<std::string> remainder_note(const RemainderOption& remainder, const DomainRule& rule);
 
 }  // namespace rfm

@@ -12,6 +12,7 @@
 #include "problems/function_support.hpp"
 #include "problems/inner_structure.hpp"
 #include "problems/interpolation.hpp"
+#include "problems/material_kinks.hpp"
 #include "problems/regular_data.hpp"
 #include "problems/remainder_option.hpp"
 #include "problems/scalar_problem.hpp"
@@ -102,8 +103,11 @@ void ScalarProblem::plan_values(const DomainRule& probe) {
       structures_.push_back(
           with_inner_conditions(plan, component, inner_, probe, bounds_, functions));
     }
-    if (remainder)
+    if (remainder) {
       check_remainder(*remainder, problem_, plans_, structures_, coefficients_, probe, region_);
+      if (auto note = remainder_note(*remainder, probe)) plans_[0].remarks.push_back(*note);
+    }
+    for (std::string& note : kink_notes(problem_)) plans_[0].remarks.push_back(std::move(note));
     add_singular_functions(probe, functions);
     add_windows(functions);
   }

@@ -12,7 +12,7 @@
 namespace rfm {
 namespace {
 
-constexpr int most_functions = 9;  // psi1 to psi9
+constexpr int most_functions = 64;  // as of `Structure::undetermined`
 
 const DocumentNode* structure_node(const Problem& problem) {
   const DocumentNode* discretization = problem.document.find("discretization");
@@ -35,6 +35,15 @@ UserStructure read_structure(const DocumentNode& node, const Problem& problem,
   }
 }
 
+// The same; without an undetermined function u would be what the file says, whatever its equation.
+std::vector<UserStructure> with_functions(std::vector<UserStructure> structures) {
+  if (std::ranges::all_of(structures,
+                          [](const UserStructure& own) { return own.structure.terms().empty(); }))
+    refuse("the structure contains no undetermined function: nothing is left to be solved",
+           structures[0].place);
+  return structures;
+}
+
 }  // namespace
 
 std::vector<UserStructure> user_structures(const Problem& problem, const CellSides& cell) {
@@ -42,7 +51,7 @@ std::vector<UserStructure> user_structures(const Problem& problem, const CellSid
   if (!node) return {};
   const std::vector<std::string>& unknowns = problem.physics.unknowns;
   if (!node->is_map()) {
-    if (unknowns.size() == 1) return {read_structure(*node, problem, cell)};
+    if (unknowns.size() == 1) return with_functions({read_structure(*node, problem, cell)});
     refuse(fmt::format("there are several unknowns: expected {{{}: .., {}: ..}}", unknowns[0],
                        unknowns[1]),
            node->place);
@@ -58,7 +67,7 @@ std::vector<UserStructure> user_structures(const Problem& problem, const CellSid
     if (!text) refuse(fmt::format("the structure of '{}' is missing", unknown), node->place);
     structures.push_back(read_structure(*text, problem, cell));
   }
-  return structures;
+  return with_functions(std::move(structures));
 }
 
 }  // namespace rfm

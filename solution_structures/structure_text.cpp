@@ -11,6 +11,7 @@ namespace rfm {
 namespace {
 
 constexpr int most_arguments = 300;  // 100 sets
+constexpr int most_functions = 64;   // as of `Structure::undetermined`
 
 std::string call_text(const Structure::Call& call, const ExpressionTextOptions& options) {
   std::string text = call.function + "(";
@@ -55,7 +56,8 @@ Field call_transfinite(std::span<const ExpressionArgument> arguments) {
 std::string to_text(const Structure& structure, const StructureNames& names) {
   ExpressionTextOptions options;
   options.names = names;
-  for (int k = 0; k < structure.unknown_count(); ++k)
+  // Also those whose terms cancel are in the formula.
+  for (int k = 0; k < most_functions; ++k)
     options.names.emplace_back("psi" + std::to_string(k + 1), undetermined_function(k));
   for (const Structure::Call& call : structure.calls())
     options.names.emplace_back(call_text(call, options), call.value);

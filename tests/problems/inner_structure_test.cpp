@@ -54,6 +54,39 @@ TEST(Interface, WithoutItTheKinkIsLost) {
   EXPECT_GT(error({"conditions=[{at: inner, value: 1}, {at: outer, value: 0}]"}), 30 * with);
 }
 
+std::vector<std::string> remarks_of(const std::string& name,
+                                    const std::vector<std::string>& overrides = {}) {
+  const Problem file = read_problem((structures / (name + ".yaml")).string(), overrides);
+  return ScalarProblem(file).dirichlet()[0].remarks;
+}
+
+TEST(Interface, IsMissedWhereTheConductivityJumps) {
+  const auto says_so = testing::Contains(testing::HasSubstr("conductivity changes"));
+  EXPECT_THAT(remarks_of("interface"), testing::Not(says_so));
+  EXPECT_THAT(
+      remarks_of("interface", {"conditions=[{at: inner, value: 1}, {at: outer, value: 0}]"}),
+      says_so);
+}
+
+TEST(Remainder, ThatChangesItsSignInsideIsTold) {
+  const auto says_so = testing::Contains(testing::HasSubstr("changes its sign"));
+  EXPECT_THAT(remarks_of("remainder"), testing::Not(says_so));
+  const auto of = [](const std::string& remainder) {
+    const Problem file = read_problem(make_source(
+        "remainder.yaml",
+        "dimension: 2\n"
+        "geometry: {shapes: {disk: {circle: {center: [0, 0], radius: 1}}}, domain: disk}\n"
+        "physics: {type: poisson, source: 1}\n"
+        "conditions: [{at: disk, value: 0}]\n"
+        "discretization: {basis: {cells: 8}}\n"
+        "remainder: " +
+            remainder + "\n"));
+    return ScalarProblem(file).dirichlet()[0].remarks;
+  };
+  EXPECT_THAT(of("(1 - x^2 - y^2)*(x - 0.5)"), says_so);
+  EXPECT_THAT(of("(1 - x^2 - y^2)*(x - 2)"), testing::Not(says_so));
+}
+
 // A disk, on whose edge ω² Ψ2 vanishes and nothing is prescribed.
 std::string disk(const std::string& energy) {
   return "dimension: 2\n"

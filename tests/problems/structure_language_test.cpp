@@ -122,6 +122,21 @@ std::vector<std::string> printed(const std::string& text) {
   return lines_of(scalar, scalar.grid());
 }
 
+TEST(PrintedStructure, MayHaveMoreThanNineFunctions) {
+  std::string line = "omega(disk)*(psi1";
+  for (int k = 2; k <= 64; ++k)
+    line += " + x^" + std::to_string(k % 5) + "*psi" + std::to_string(k);
+  const Problem problem = read_problem(make_source(
+      "many.yaml",
+      "dimension: 2\n"
+      "geometry: {shapes: {disk: {circle: {center: [0, 0], radius: 1}}}, domain: disk}\n"
+      "physics: {type: poisson, source: 1}\n"
+      "conditions: [{at: disk, value: 0}]\n"
+      "discretization: {basis: {cells: 4}, structure: \"" +
+          line + ")\"}\n"));
+  EXPECT_EQ(ScalarProblem(problem).function_count(), 64);
+}
+
 TEST(PrintedStructure, OfANaturalConditionIsReadBackAsItself) {
   for (const char* condition :
        {"flux: cos(x)", "convection: {coefficient: 3, ambient: x}", "robin: {a: 1, b: 2, c: y}"}) {

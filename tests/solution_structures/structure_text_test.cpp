@@ -61,6 +61,11 @@ TEST(StructureText, ReadBackIsTheSameFunction) {
   expect_read_back(partial(hole * psi1, 0) / (1 + x * x) - laplacian(hole, 2) * psi2);
 }
 
+TEST(StructureText, FunctionsWhoseTermsCancelAreWritten) {
+  const Structure psi4 = Structure::undetermined(3);
+  EXPECT_EQ(to_text(psi1 + (psi4 - psi4), names), "psi1 + (psi4 - psi4)");
+}
+
 TEST(StructureText, OneUndeterminedFunctionNeedsNoNumber) {
   const Structure structure = to_structure(Expression("x + omega(hole)*psi"), scope(1));
   ASSERT_EQ(structure.terms().size(), 1u);
