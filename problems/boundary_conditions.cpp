@@ -14,6 +14,7 @@
 #include "problems/boundary_coverage.hpp"
 #include "problems/result_scope.hpp"
 #include "problems/solution_symbols.hpp"
+#include "quadrature/candidate_boxes.hpp"
 #include "solution_structures/transfinite.hpp"
 #include "solvers/integrate.hpp"
 
@@ -197,6 +198,19 @@ DistanceFromPieces distance_from(const std::vector<PieceCondition>& pieces,
   return distance;
 }
 
+// Whether pieces with different data are parts of one curve or surface.
+bool share_surfaces(const std::vector<PieceCondition>& pieces, const RegionEvaluator& region,
+                    const Box& bounds) {
+  const auto& primitives = region.region().primitives();
+  for (const PieceCondition& a : pieces)
+    for (const PieceCondition& b : pieces)
+      if (a.primitive < b.primitive && !same_expression(a.data[0], b.data[0]) &&
+          is_same_surface(region.level(a.primitive), region.level(b.primitive),
+                          primitives[a.primitive]->level, primitives[b.primitive]->level, bounds))
+        return true;
+  return false;
+}
+
 // "a, b, c and 9 more".
 std::string abridged(const std::vector<std::string>& names) {
   constexpr std::size_t most = 4;
@@ -331,9 +345,13 @@ DirichletPlan plan_dirichlet(const std::vector<PieceCondition>& conditions,
     else
       group->push_back(piece);
   }
-  // Shapes that share sides would make distances zero inside, as they would omega.
+  // Shapes that share sides would make distances zero inside, as they would omega. Where sides with
+  // different data lie on one line, which is one in the shorter expression, they have to be
+  // trimmed.
   const BooleanExpression& domain =
-      plan.uses_regular_form ? *regular_form : region.region().expression();
+      plan.uses_regular_form && !share_surfaces(plan.by_structure, region, bounds)
+          ? *regular_form
+          : region.region().expression();
   std::vector<TransfiniteDatum> data;
   Structure::Call call{{}, "transfinite", {}};
   for (const auto& group : groups) {

@@ -21,7 +21,7 @@ std::string text_of(const DocumentNode& map, const char* key) {
 
 class Lift {
  public:
-  explicit Lift(DocumentNode& root) : root_(root), taken_(words_of(root)) {}
+  explicit Lift(DocumentNode& root) : root_(root), taken_(words_of(root)) { add_keys(root); }
 
   void walk(DocumentNode& node) {
     if (asks_for_result(node)) return replace(node);
@@ -44,6 +44,14 @@ class Lift {
   }
 
  private:
+  void add_keys(const DocumentNode& node) {
+    for (const DocumentNode& item : node.items) add_keys(item);
+    for (const DocumentNode::Entry& entry : node.entries) {
+      taken_.insert(entry.key);
+      add_keys(entry.value);
+    }
+  }
+
   void replace(DocumentNode& node) {
     const std::string from = text_of(node, "from"), field = text_of(node, "field");
     std::string name;
